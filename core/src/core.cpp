@@ -11,6 +11,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/measure_handles_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Triangle_connectivity_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops_impl.h>

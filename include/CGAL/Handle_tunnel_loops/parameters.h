@@ -55,6 +55,7 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map_t, vertex_arc_map, vertex_
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(removal_options_t, removal_options, removal_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(known_loops_t, known_loops, known_loops)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_cut_spheres_t, do_cut_spheres, do_cut_spheres)
+CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(relative_precision_t, relative_precision, relative_precision)
 
 #if CGAL_VERSION_NR < 1050600000
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_output_iterator_t,

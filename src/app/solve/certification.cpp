@@ -39,21 +39,11 @@ using Prepared_mesh =
 
 // With the caps that close its boundary curves.
 bool touches_itself_with_caps(internal::Execution execution, const Prepared_mesh& surface) {
-  const auto touches = [execution](const auto& mesh, auto point, auto index) {
-    return internal::touches_itself(execution, mesh, point, index);
-  };
   if(surface.mesh.number_of_hubs == 0)
-    return touches(surface.tm, surface.point, get(boost::vertex_index, surface.tm));
-  std::vector<internal::Flat_surface::Point> points;
-  for(const internal::Vector& p : internal::places_of_vertices(execution, surface))
-    points.emplace_back(p[0], p[1], p[2]);
-  const internal::Flat_graph closed(surface.mesh);
-  return touches(
-      closed,
-      boost::make_iterator_property_map(points.begin(),
-                                        boost::typed_identity_property_map<internal::Index>()),
-      boost::make_iterator_property_map(surface.mesh.original.data(),
-                                        boost::typed_identity_property_map<internal::Index>()));
+    return internal::touches_itself(execution, surface.tm, surface.point,
+                                    get(boost::vertex_index, surface.tm));
+  return internal::touches_itself(execution, surface.mesh,
+                                  internal::places_of_vertices(execution, surface));
 }
 
 internal::Flat_skeleton as_arrays(const Skeleton_lines& skeleton) {

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Loops_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>

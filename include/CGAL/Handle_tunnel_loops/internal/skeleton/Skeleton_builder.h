@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Arcs_side_by_side.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Loops_across.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Parts_of_surface.h>

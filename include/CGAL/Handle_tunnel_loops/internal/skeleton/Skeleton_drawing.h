@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/Loop_curtains.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Out_of_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Points_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_draft.h>

@@ -151,13 +151,26 @@ public:
   /// face, about; what is nearer than \p free is not looked at. Where the point is on an edge,
   /// rounding decides whether the way begins on the other face there.
   double free_way(const Vector& p, const Vector& direction, Index from, double free = 0.) const {
-    double limit = std::numeric_limits<double>::infinity();
-    faces_.boxes().for_each_on_way(p, direction, limit, [&](Index f) {
-      if(const double way = f != from ? way_to_face(p, direction, f) : 0.; way > free)
-        limit = (std::min)(limit, way);
-      return limit;
+    return first_on_way(p, direction, from, free).way;
+  }
+
+  /// What is met on a way, and how far from its beginning.
+  struct Met
+  {
+    double way = (std::numeric_limits<double>::infinity)();
+    Index face = no_index;
+  };
+
+  /// the same with the face.
+  Met first_on_way(const Vector& p, const Vector& direction, Index from, double free = 0.) const {
+    Met met;
+    faces_.boxes().for_each_on_way(p, direction, met.way, [&](Index f) {
+      if(const double way = f != from ? way_to_face(p, direction, f) : 0.;
+         way > free && way < met.way)
+        met = {way, f};
+      return met.way;
     });
-    return limit;
+    return met;
   }
 
   /// whether a segment meets the surface or a cap.

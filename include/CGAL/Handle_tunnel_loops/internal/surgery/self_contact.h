@@ -12,7 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
@@ -22,6 +26,7 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <atomic>
 #include <cstddef>
@@ -70,6 +75,20 @@ bool touches_itself(Execution execution,
   if(placed.crowding(box, largest_crowding) <= largest_crowding)
     return placed.any_pair(box, are_touching, execution);
   return contact_search(execution, all.size(), triangle).any_candidate(execution, are_touching);
+}
+
+/// the same for a surface with the caps that close its boundary curves. \p places are those of its
+/// vertices, hubs included.
+inline bool
+touches_itself(Execution execution, const Flat_mesh& mesh, const std::vector<Vector>& places) {
+  std::vector<Flat_surface::Point> points;
+  points.reserve(places.size());
+  for(const Vector& p : places)
+    points.emplace_back(p[0], p[1], p[2]);
+  using Identity = boost::typed_identity_property_map<Index>;
+  return touches_itself(execution, Flat_graph(mesh),
+                        boost::make_iterator_property_map(points.begin(), Identity()),
+                        boost::make_iterator_property_map(mesh.original.data(), Identity()));
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -7,12 +7,11 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_LOOP_CURTAINS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_LOOP_CURTAINS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_CURTAINS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_CURTAINS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -55,6 +54,7 @@ public:
     std::vector<Box<2>> boxes;
     for(const Hem& hem : hems_)
       boxes.push_back(box(hem.from, hem.to));
+    cells_ = Occupied_cells(boxes);
     boxes_.emplace(execution, boxes);
   }
 
@@ -62,6 +62,8 @@ public:
   template <typename Function>
   void for_each_passage(const Vector& a, const Vector& b, const Function& f) const {
     const Place p = project(a), q = project(b);
+    if(!cells_.may_meet(box(p, q)))
+      return;
     boxes_->for_each_meeting(box(p, q), [&](Index i, const Box<2>&) {
       const Hem& hem = hems_[i];
       const int side = turn(hem.from, hem.to, p);
@@ -74,9 +76,9 @@ public:
 
   /// whether two lines with the same ends, or two closed ones, are linked with all loops in the
   /// same way.
-  bool are_alike(const std::vector<Inner_ball>& line, const std::vector<Inner_ball>& other) const {
+  template <typename Balls> bool are_alike(const Balls& line, const Balls& other) const {
     std::vector<int> row(number_of_loops_, 0);
-    const auto add = [&](const std::vector<Inner_ball>& of, int factor) {
+    const auto add = [&](const Balls& of, int factor) {
       for(std::size_t i = 1; i < of.size(); ++i)
         for_each_passage(of[i - 1].centre, of[i].centre,
                          [&](const Passage& p) { row[p.loop] += factor * p.sign; });
@@ -95,6 +97,57 @@ private:
   {
     Place from, to;
     Index loop;
+  };
+
+  /// Which squares of the plane meet boxes: most of what is asked for meets none.
+  class Occupied_cells
+  {
+  public:
+    Occupied_cells() = default;
+
+    explicit Occupied_cells(const std::vector<Box<2>>& boxes)
+        : all_(Box<2>::empty()) {
+      for(const Box<2>& box : boxes)
+        all_.extend(box);
+      while(size_ < most_cells && size_ * size_ < cells_per_box * boxes.size())
+        size_ *= 2;
+      is_occupied_.assign(size_ * size_, 0);
+      for(const Box<2>& box : boxes) {
+        const auto [x, u] = cells(box, 0);
+        const auto [y, v] = cells(box, 1);
+        for(std::size_t row = y; row <= v; ++row)
+          for(std::size_t i = x; i <= u; ++i)
+            is_occupied_[row * size_ + i] = 1;
+      }
+    }
+
+    /// says no only if it meets none; of what is large, nothing is said.
+    bool may_meet(const Box<2>& box) const {
+      if(!all_.meets(box))
+        return false;
+      const auto [x, u] = cells(box, 0);
+      const auto [y, v] = cells(box, 1);
+      if(u - x > 1 || v - y > 1)
+        return true;
+      return (is_occupied_[y * size_ + x] | is_occupied_[y * size_ + u] |
+              is_occupied_[v * size_ + x] | is_occupied_[v * size_ + u]) != 0;
+    }
+
+  private:
+    static constexpr std::size_t most_cells = 2048, cells_per_box = 64;
+
+    // The first and the last along an axis.
+    std::array<std::size_t, 2> cells(const Box<2>& box, std::size_t axis) const {
+      const auto cell = [&](double x) {
+        const double part = (std::max)(0., all_.part(axis, x));
+        return (std::min)(static_cast<std::size_t>(part * static_cast<double>(size_)), size_ - 1);
+      };
+      return {cell(box.low[axis]), cell(box.high[axis])};
+    }
+
+    Box<2> all_ = Box<2>::empty();
+    std::size_t size_ = 64; // cells along each axis
+    std::vector<char> is_occupied_;
   };
 
   static Place project(const Vector& p) {
@@ -129,9 +182,10 @@ private:
 
   std::size_t number_of_loops_;
   std::vector<Hem> hems_;
+  Occupied_cells cells_;
   std::optional<Sorted_boxes<2>> boxes_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_LOOP_CURTAINS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LOOP_CURTAINS_H

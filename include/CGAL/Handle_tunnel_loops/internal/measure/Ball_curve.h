@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_BALL_CURVE_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_BALL_CURVE_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+A closed curve along which a ball of a given radius fits, made short: points are left out where the
+straight way is free for the ball and passes the same curtains. The first point stays.
+*/
+class Ball_curve
+{
+public:
+  Ball_curve(const Clearance& clearance,
+             const Linked_segments& linked,
+             double radius,
+             std::vector<Vector> points)
+      : clearance_(clearance)
+      , linked_(linked)
+      , radius_(radius)
+      , points_(std::move(points)) {}
+
+  /// the curve, pulled tight as far as some rounds do it.
+  std::vector<Vector> tightened() {
+    constexpr int most_rounds = 6;
+    constexpr double least_gain = 0.005;
+    double length = length_of_curve();
+    for(int round = 0; round < most_rounds; ++round) {
+      leave_out();
+      const double shorter = length_of_curve();
+      if(round > 0 && shorter > (1. - least_gain) * length)
+        break;
+      length = shorter;
+      if(round + 1 < most_rounds)
+        divide();
+    }
+    return std::move(points_);
+  }
+
+private:
+  const Vector& at(std::size_t i) const { return points_[i == points_.size() ? 0 : i]; }
+
+  double length_of_curve() const {
+    double sum = 0.;
+    for(std::size_t i = 0; i < points_.size(); ++i)
+      sum += norm(at(i + 1) - at(i));
+    return sum;
+  }
+
+  void leave_out() {
+    names_.assign(1, 0);
+    for(std::size_t i = 0; i < points_.size(); ++i)
+      names_.push_back(names_.back() + linked_.name(at(i), at(i + 1)));
+    std::vector<Vector> left;
+    for(std::size_t i = 0; i < points_.size(); i = last_seen_from(i))
+      left.push_back(points_[i]);
+    points_ = std::move(left);
+  }
+
+  // By steps that double, and then are halved.
+  std::size_t last_seen_from(std::size_t i) const {
+    std::size_t last = i + 1, step = 1;
+    for(; last + step <= points_.size() && is_straight(i, last + step); step *= 2)
+      last += step;
+    for(; step > 0; step /= 2)
+      if(last + step <= points_.size() && is_straight(i, last + step))
+        last += step;
+    return last;
+  }
+
+  bool is_straight(std::size_t i, std::size_t j) const {
+    return linked_.name(at(i), at(j)) == names_[j] - names_[i] &&
+           !clearance_.narrow_place(at(i), at(j), radius_);
+  }
+
+  // New points on long pieces, at which they may be cut short.
+  void divide() {
+    std::vector<Vector> finer;
+    for(std::size_t i = 0; i < points_.size(); ++i) {
+      const int n = static_cast<int>((std::min)(16., norm(at(i + 1) - at(i)) / radius_)) + 1;
+      for(int k = 0; k < n; ++k)
+        finer.push_back((1. - double(k) / n) * at(i) + (double(k) / n) * at(i + 1));
+    }
+    points_ = std::move(finer);
+  }
+
+  const Clearance& clearance_;
+  const Linked_segments& linked_;
+  double radius_;
+  std::vector<Vector> points_;
+  std::vector<std::uint64_t> names_; // of the way to each point
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_BALL_CURVE_H

@@ -1,0 +1,463 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_HANDLE_MEASURER_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_HANDLE_MEASURER_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/measure/Ball_curve.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Surface_points.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/measure_handles.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+Finds the largest balls that can be led through holes and around handles.
+
+Points on the surface are no nearer to a ball than the surface is: so the widest cycles among the
+points (`Widest_cycles`) are at least as wide as those of the surface, one by one, as long as no
+cycle slips between points through a loop. That is one bound. The other is a cycle itself, if balls
+of nearly its radius fit all along it (`Clearance`). Where one does not, points are too far apart:
+more are taken there, and along the loops that it is linked with, as these bound what all such
+cycles have to pass. So it goes on until the bounds agree.
+*/
+class Handle_measurer
+{
+public:
+  Handle_measurer(Execution execution,
+                  const Flat_mesh& mesh,
+                  const std::vector<Vector>& places,
+                  const std::vector<Polyline_pair>& pairs,
+                  double precision)
+      : execution_(execution)
+      , gap_((std::min)(largest_gap, gap_of_precision * precision))
+      , side_(std::sqrt(3. * gap_))
+      , faces_(execution, mesh, span_of(places))
+      , clearance_(faces_, gap_ / 12.)
+      , wall_(mesh, span_of(places), faces_)
+      , points_(execution, faces_, points_per_vertex * places.size() + more_points)
+      , loops_(loops_of(pairs))
+      , linked_(execution, loops_)
+      , finest_(loops_.size(), std::numeric_limits<double>::infinity()) {
+    for(const Vector& p : places)
+      points_.add(p);
+    for(const auto& loop : loops_)
+      lengths_.push_back(length_of(loop));
+    places_ = places.size();
+    find_extent();
+  }
+
+  Flat_measures measure() {
+    if(loops_.empty())
+      return {};
+    for(std::size_t l = 0; l < loops_.size(); ++l)
+      refine_along(l, lengths_[l] / 12., 0.5);
+    points_.refine(execution_, std::exchange(requests_, {}));
+    points_.refine_by_thickness(wall_, part_of_thickness,
+                                std::sqrt(area_ / double(most_at_first + places_)));
+    Voronoi_graph graph(box_.low, box_.high);
+    std::size_t inserted = 0;
+    int rounds = 0;
+    do {
+      graph.insert(points_.points(), std::exchange(inserted, points_.points().size()));
+      graph.build(execution_);
+      find_cycles(graph);
+      ++rounds;
+      refine();
+      effort_ += points_.points().size() < (1. + least_growth) * double(inserted) ? 1 : 0;
+    } while(points_.points().size() > inserted && !points_.is_full());
+    Flat_measures measures = assign();
+    measures.number_of_points = points_.points().size();
+    measures.number_of_rounds = rounds;
+    return measures;
+  }
+
+private:
+  static constexpr double gap_of_precision = 1.5, largest_gap = 0.3;
+  static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
+  static constexpr std::size_t most_at_first = 20000;
+  static constexpr int most_divisions = 5;
+  static constexpr std::size_t points_per_vertex = 3, more_points = 200000;
+
+  /// A place at which a ball does not fit, and the distance of the points around, or less.
+  struct Narrow_place
+  {
+    Vector place;
+    double distance;
+  };
+
+  /// What became of a cycle.
+  struct Trial
+  {
+    double radius = 0.;               ///< for which there is room all along
+    std::vector<Vector> curve;        ///< of a ball of that radius
+    bool is_wide = false;             ///< whether there is such a one
+    std::vector<Narrow_place> narrow; ///< what was in the way of one that is as wide as may be
+  };
+
+  static std::vector<std::vector<Vector>> loops_of(const std::vector<Polyline_pair>& pairs) {
+    std::vector<std::vector<Vector>> loops;
+    for(const Polyline_pair& pair : pairs)
+      loops.insert(loops.end(), pair.begin(), pair.end());
+    return loops;
+  }
+
+  static double length_of(const std::vector<Vector>& loop) {
+    double sum = 0.;
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      sum += norm(loop[i + 1 < loop.size() ? i + 1 : 0] - loop[i]);
+    return sum;
+  }
+
+  void find_extent() {
+    box_ = Box<3>::empty();
+    for(Index f = 0; f < faces_.size(); ++f) {
+      const Triangle t = faces_.triangle(f);
+      area_ += 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+      for(const Vector& p : t)
+        box_.extend({p, p});
+    }
+  }
+
+  // ---- points
+
+  // Points near a loop, which bounds where balls of a radius can pass; pieces of faces have sides
+  // of this part of it.
+  void refine_along(std::size_t loop, double radius, double part) {
+    constexpr double reach = 1.2, least_gain = 0.9;
+    if(part * radius > least_gain * finest_[loop])
+      return;
+    finest_[loop] = part * radius;
+    for_each_place(loop, 0.5 * radius, [&](const Vector& p) {
+      requests_.push_back({p, reach * radius, part * radius});
+    });
+    for_each_place(loop, part * radius, [&](const Vector& p) { points_.add(p); });
+  }
+
+  // Places on a loop that are not farther apart.
+  template <typename Function>
+  void for_each_place(std::size_t loop, double distance, const Function& f) const {
+    const std::vector<Vector>& points = loops_[loop];
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const Vector &a = points[i], &b = points[i + 1 < points.size() ? i + 1 : 0];
+      const int n = static_cast<int>((std::min)(1e6, norm(b - a) / distance)) + 1;
+      for(int k = 0; k < n; ++k)
+        f(k == 0 ? a : (1. - double(k) / n) * a + (double(k) / n) * b);
+    }
+  }
+
+  void refine() {
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
+      if(!trials_[i].narrow.empty())
+        refine_for(i);
+    points_.refine(execution_, std::exchange(requests_, {}));
+    if(!cycles_.empty())
+      close_loops(1.9 * most_.back());
+  }
+
+  // So that no cycle slips through between points of a loop, as long as these are not too many.
+  void close_loops(double distance) {
+    const double all = std::accumulate(lengths_.begin(), lengths_.end(), 0.);
+    const double least = all / static_cast<double>(places_ + more_points);
+    for(std::size_t l = 0; l < loops_.size(); ++l)
+      for_each_place(l, (std::max)(distance, least), [&](const Vector& p) { points_.add(p); });
+  }
+
+  // Along the loops, which tell where balls do not pass; where one nearly does; and where points
+  // are passed. Denser, and farther around, the less came of it in the rounds before.
+  void refine_for(std::size_t cycle) {
+    const double part = side_ * std::pow(0.7, (std::min)(effort_, 4));
+    for(const std::vector<Index>* loops : {&loop_of_, &loop_at_most_})
+      if(const Index loop = (*loops)[cycle]; loop != no_index)
+        refine_along(loop, (std::min)(most_[cycle], largest_radius(loop)), part);
+    for(const std::vector<Narrow_place>* places : {&trials_[cycle].narrow, &leaks_[cycle]})
+      refine_at(*places, most_[cycle], part);
+  }
+
+  void refine_at(const std::vector<Narrow_place>& places, double radius, double part) {
+    constexpr double part_of_distance = 0.35, much = 1.5;
+    const double reach = 1.1 * std::pow(1.25, (std::min)(effort_, 4));
+    for(const Narrow_place& n : places)
+      requests_.push_back(
+          {n.place, reach * n.distance,
+           n.distance < much * radius ? part * radius : part_of_distance * n.distance});
+  }
+
+  // Of a ball that passes through a loop, unless that is far from plane.
+  double largest_radius(std::size_t loop) const {
+    return lengths_[loop] / boost::math::double_constants::two_pi;
+  }
+
+  // ---- cycles
+
+  // The widest among the points tell how wide cycles are at most. Where one of them is not, others
+  // are looked for that do not cross the surface, and are wide as that is seen.
+  void find_cycles(Voronoi_graph& graph) {
+    cycles_ = Widest_cycles(execution_, graph, linked_).find(loops_.size());
+    most_.clear();
+    for(const Widest_cycle& cycle : cycles_)
+      most_.push_back(cycle.radius);
+    try_cycles();
+    leaks_.assign(cycles_.size(), {});
+    loop_of_ = loop_at_most_ = loops_to_pass();
+    const auto fails = [](const Trial& trial) { return !trial.narrow.empty(); };
+    const auto last = std::find_if(trials_.rbegin(), trials_.rend(), fails);
+    if(last == trials_.rend())
+      return;
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
+      leaks_[i] = trials_[i].narrow;
+    see_surface(graph, (1. - gap_) * most_[static_cast<std::size_t>(trials_.rend() - last) - 1]);
+    std::vector<Widest_cycle> inside =
+        Widest_cycles(execution_, graph, linked_).find(loops_.size());
+    if(inside.size() == cycles_.size()) {
+      cycles_ = std::move(inside);
+      loop_of_ = loops_to_pass();
+      try_cycles();
+    }
+  }
+
+  // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
+  // it. Those that are narrower than \p least stay as they are.
+  void see_surface(Voronoi_graph& graph, double least) const {
+    const double about = 1. - 0.25 * gap_;
+    std::vector<double> clearance(graph.nodes.size(), 0.);
+    for_each_index(
+        execution_, graph.nodes.size(),
+        [&](std::size_t i) {
+          if(const Voronoi_graph::Node& n = graph.nodes[i]; n.radius >= least)
+            clearance[i] = clearance_.at(n.place, about * n.radius);
+        },
+        256);
+    for_each_index(
+        execution_, graph.edges.size(),
+        [&](std::size_t i) {
+          if(Voronoi_graph::Edge& e = graph.edges[i]; e.radius >= least)
+            e.radius *= static_cast<float>(seen_part(graph, e, clearance));
+        },
+        256);
+  }
+
+  double seen_part(const Voronoi_graph& graph,
+                   const Voronoi_graph::Edge& edge,
+                   const std::vector<double>& clearance) const {
+    const auto [a, b] = edge.nodes;
+    const Voronoi_graph::Node &n = graph.nodes[a], &m = graph.nodes[b];
+    if(norm(n.place - m.place) >= clearance[a] + clearance[b] && wall_.meets(n.place, m.place))
+      return 0.;
+    return (std::min)(clearance[a] / n.radius, clearance[b] / m.radius);
+  }
+
+  // For each cycle a loop of its own that it is linked with, for the narrow ones the short ones.
+  // What is known of the ways there bounds them one by one.
+  std::vector<Index> loops_to_pass() const {
+    std::vector<const Linking_row*> rows;
+    for(auto c = cycles_.rbegin(); c != cycles_.rend(); ++c)
+      rows.push_back(&c->row);
+    std::vector<Index> loops = Paired_cycles(rows, lengths_, 1).partners();
+    std::reverse(loops.begin(), loops.end());
+    return loops;
+  }
+
+  void try_cycles() {
+    trials_.assign(cycles_.size(), {});
+    for_each_index(
+        execution_, cycles_.size(),
+        [&](std::size_t i) { trials_[i] = trial(cycles_[i], most_[i]); }, 1);
+  }
+
+  // The largest of some radii for which there is room.
+  Trial trial(const Widest_cycle& cycle, double most) const {
+    const auto try_part = [&](double part) {
+      return try_radius(cycle, (1. - part * (gap_ - clearance_.tolerance())) * most);
+    };
+    Trial best = try_part(1.);
+    if(best.is_wide) {
+      for(const double part : {0.5, 0.25, 0.125}) {
+        Trial trial = try_part(part);
+        if(!trial.is_wide)
+          break;
+        best = std::move(trial);
+      }
+      return best;
+    }
+    for(const double part : {2., 4., 8., 16.}) {
+      Trial trial = try_part(part);
+      if(trial.is_wide) {
+        trial.narrow = std::move(best.narrow);
+        return trial;
+      }
+    }
+    return best;
+  }
+
+  // Places of the cycle where there is no room are moved to where there is.
+  Trial try_radius(const Widest_cycle& cycle, double radius) const {
+    Trial trial;
+    trial.radius = (1. - clearance_.tolerance()) * radius;
+    const Voronoi_graph::Node* before = &cycle.balls.back();
+    for(const Voronoi_graph::Node& ball : cycle.balls) {
+      const auto place = clearance_.with_room(ball.place, radius);
+      if(!place)
+        add_narrow(ball.place, {before, &ball}, cycle, trial);
+      else if(!trial.curve.empty())
+        connect(*place, most_divisions, {before, &ball}, cycle, radius, trial);
+      if(place)
+        trial.curve.push_back(*place);
+      before = &ball;
+    }
+    if(!trial.curve.empty()) {
+      const Vector first = trial.curve.front();
+      connect(first, most_divisions, {before, &cycle.balls.front()}, cycle, radius, trial);
+    }
+    if(trial.narrow.empty() && !is_of_class(trial.curve, cycle.row))
+      trial.narrow.push_back({cycle.balls.front().place, cycle.radius});
+    trial.is_wide = trial.narrow.empty();
+    return trial;
+  }
+
+  using Edge = std::array<const Voronoi_graph::Node*, 2>;
+
+  void connect(const Vector& to,
+               int divisions,
+               const Edge& edge,
+               const Widest_cycle& cycle,
+               double radius,
+               Trial& trial) const {
+    const auto narrow = clearance_.narrow_between(trial.curve.back(), to, radius);
+    if(!narrow)
+      return;
+    const auto place = divisions > 0 ? clearance_.with_room(*narrow, radius) : std::nullopt;
+    if(!place) {
+      add_narrow(*narrow, edge, cycle, trial);
+      return;
+    }
+    connect(*place, divisions - 1, edge, cycle, radius, trial);
+    trial.curve.push_back(*place);
+    connect(to, divisions - 1, edge, cycle, radius, trial);
+  }
+
+  static void
+  add_narrow(const Vector& p, const Edge& edge, const Widest_cycle& cycle, Trial& trial) {
+    double distance = cycle.radius;
+    for(const Voronoi_graph::Node* end : edge)
+      distance = (std::max)(distance, end->radius - norm(p - end->place));
+    if(trial.narrow.empty() || norm(p - trial.narrow.back().place) > 0.5 * distance)
+      trial.narrow.push_back({p, distance});
+  }
+
+  bool is_of_class(const std::vector<Vector>& curve, const Linking_row& wanted) const {
+    Linking_row row;
+    for(std::size_t i = 0; i < curve.size(); ++i)
+      linked_.add(curve[i], curve[i + 1 < curve.size() ? i + 1 : 0], row);
+    add_up(row);
+    return row == wanted;
+  }
+
+  // ---- answers
+
+  bool is_inside(const std::vector<Vector>& curve) const {
+    bool is_odd = false;
+    faces_.for_each_above(curve[0], curve[1], [&](Index) { is_odd = !is_odd; });
+    return is_odd;
+  }
+
+  Flat_measures assign() {
+    Flat_measures measures;
+    measures.pairs.resize(loops_.size() / 2);
+    std::vector<std::vector<Vector>> curves(cycles_.size());
+    std::vector<int> side(cycles_.size(), -1);
+    for_each_index(
+        execution_, cycles_.size(),
+        [&](std::size_t i) {
+          if(!trials_[i].is_wide)
+            return;
+          curves[i] = curve(i);
+          side[i] = is_inside(curves[i]) ? 1 : 0;
+        },
+        1);
+    for(const int inside : {0, 1})
+      assign(side, inside, curves, measures);
+    if(std::count(side.begin(), side.end(), -1) > 0 || cycles_.size() < loops_.size())
+      measures.why = "some places would need too many points";
+    return measures;
+  }
+
+  std::vector<Vector> curve(std::size_t cycle) const {
+    return Ball_curve(clearance_, linked_, trials_[cycle].radius, trials_[cycle].curve).tightened();
+  }
+
+  void assign(const std::vector<int>& side,
+              int inside,
+              std::vector<std::vector<Vector>>& curves,
+              Flat_measures& measures) const {
+    std::vector<std::size_t> chosen;
+    for(std::size_t i = cycles_.size(); i-- > 0;)
+      if(side[i] == inside)
+        chosen.push_back(i); // the narrowest first
+    std::vector<const Linking_row*> rows;
+    for(std::size_t i : chosen)
+      rows.push_back(&cycles_[i].row);
+    const Paired_cycles paired(rows, lengths_, 2);
+    for(std::size_t k = 0; k < chosen.size(); ++k)
+      if(const Index pair = paired.partners()[k]; pair != no_index) {
+        const double most = most_[chosen[k]], least = trials_[chosen[k]].radius;
+        auto& ball = inside != 0 ? measures.pairs[pair].inside : measures.pairs[pair].outside;
+        ball = Flat_ball{0.5 * (most + least), 0.5 * (most - least), std::move(curves[chosen[k]])};
+      }
+  }
+
+  Execution execution_;
+  double gap_;  // that the bounds may have, as a part of the upper one
+  double side_; // of pieces of faces, as a part of the radius
+  Face_tree faces_;
+  Clearance clearance_;
+  Wall wall_;
+  Surface_points points_;
+  std::vector<Surface_points::Request> requests_;
+  std::vector<std::vector<Vector>> loops_;
+  std::vector<double> lengths_; // by loop
+  Linked_segments linked_;
+  std::vector<double> finest_; // by loop, sides of pieces around it
+  std::size_t places_;
+  int effort_ = 0; // rounds in which little was added
+  double area_ = 0.;
+  Box<3> box_;
+  std::vector<Widest_cycle> cycles_;
+  std::vector<double> most_;                     // by cycle, its radius at most
+  std::vector<Index> loop_of_, loop_at_most_;    // by cycle, and by that of this radius
+  std::vector<Trial> trials_;                    // by cycle
+  std::vector<std::vector<Narrow_place>> leaks_; // of cycles that are wider than there is room
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_HANDLE_MEASURER_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_VORONOI_GRAPH_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_VORONOI_GRAPH_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+The vertices and edges of the Voronoi diagram of points, and how far they are from the points. Where
+all is farther from them than a radius, every closed curve can be pushed to closed walks on edges
+that are, too.
+
+Points far away all around are added, so that there is no vertex at infinity.
+*/
+class Voronoi_graph
+{
+public:
+  /// The middle of the ball through the points of a cell.
+  struct Node
+  {
+    Vector place;
+    double radius;
+  };
+
+  struct Edge
+  {
+    std::array<Index, 2> nodes;
+    float radius; ///< the least along the edge, rounded
+  };
+
+  /// \p box_low and \p box_high are corners of a box around all points that are ever added.
+  Voronoi_graph(const Vector& box_low, const Vector& box_high) {
+    const Vector middle = 0.5 * (box_low + box_high);
+    const double size = norm(box_high - box_low);
+    std::vector<Point> points;
+    for(int i = 0; i < 27; ++i) {
+      const Vector direction = {i % 3 - 1., i / 3 % 3 - 1., i / 9 - 1.};
+      if(i != 13) {
+        const Vector p = middle + (distance_of_frame * size / norm(direction)) * direction;
+        points.emplace_back(p[0], p[1], p[2]);
+      }
+    }
+    delaunay_.insert(points.begin(), points.end());
+  }
+
+  /// adds points from a number on.
+  void insert(const std::vector<Vector>& points, std::size_t first) {
+    std::vector<Point> added;
+    added.reserve(points.size() - first);
+    for(std::size_t i = first; i < points.size(); ++i)
+      added.emplace_back(points[i][0], points[i][1], points[i][2]);
+    delaunay_.insert(added.begin(), added.end());
+  }
+
+  /// finds nodes and edges anew.
+  void build(Execution execution) {
+    std::vector<Cell_handle> cells;
+    cells.reserve(delaunay_.number_of_cells());
+    for(const Cell_handle c : delaunay_.all_cell_handles()) {
+      c->info() = delaunay_.is_infinite(c) ? no_index : static_cast<Index>(cells.size());
+      if(c->info() != no_index)
+        cells.push_back(c);
+    }
+    nodes.resize(cells.size());
+    for_each_index(execution, cells.size(), [&](std::size_t i) { nodes[i] = node(cells[i]); });
+    edges = collect<Edge>(execution, cells.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<Edge> found;
+      for(std::size_t i = begin; i < end; ++i)
+        for(int k = 0; k < 4; ++k)
+          if(const Index j = cells[i]->neighbor(k)->info(); j != no_index && i < j) {
+            const double radius =
+                norm(narrowest(cells[i], k) - place(cells[i]->vertex((k + 1) % 4)));
+            found.push_back(
+                {{static_cast<Index>(i), j},
+                 static_cast<float>((std::min)({radius, nodes[i].radius, nodes[j].radius}))});
+          }
+      return found;
+    });
+  }
+
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;
+
+private:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Point = Kernel::Point_3;
+  using Cell = Triangulation_cell_base_with_info_3<Index,
+                                                   Kernel,
+                                                   Delaunay_triangulation_cell_base_3<Kernel>>;
+  using Delaunay = Delaunay_triangulation_3<
+      Kernel,
+      Triangulation_data_structure_3<Triangulation_vertex_base_3<Kernel>, Cell>>;
+  using Cell_handle = Delaunay::Cell_handle;
+
+  static constexpr double distance_of_frame = 8.; // in diagonals
+
+  static Vector place(Delaunay::Vertex_handle v) {
+    return {v->point().x(), v->point().y(), v->point().z()};
+  }
+
+  static Node node(Cell_handle c) {
+    const Vector a = place(c->vertex(0)), p = place(c->vertex(1)) - a, q = place(c->vertex(2)) - a,
+                 r = place(c->vertex(3)) - a;
+    const double pp = dot(p, p), qq = dot(q, q), rr = dot(r, r);
+    const double volume = dot(p, cross(q, r));
+    constexpr double flat = 1e-8; // of the product of three sides: the rest of the digits do
+    if(std::abs(volume) < flat * std::sqrt(pp * qq * rr))
+      return exact_node(c);
+    const Vector to_centre =
+        (0.5 / volume) * (pp * cross(q, r) + qq * cross(r, p) + rr * cross(p, q));
+    return {a + to_centre, norm(to_centre)};
+  }
+
+  // Of a cell that is nearly flat.
+  static Node exact_node(Cell_handle c) {
+    using Exact = Simple_cartesian<Exact_rational>;
+    std::array<Exact::Point_3, 4> corners;
+    for(int k = 0; k < 4; ++k)
+      corners[k] = {c->vertex(k)->point().x(), c->vertex(k)->point().y(),
+                    c->vertex(k)->point().z()};
+    const Exact::Point_3 centre =
+        CGAL::circumcenter(corners[0], corners[1], corners[2], corners[3]);
+    return {{to_double(centre.x()), to_double(centre.y()), to_double(centre.z())},
+            std::sqrt(to_double(CGAL::squared_distance(centre, corners[0])))};
+  }
+
+  // Where the edge across a facet is nearest to the corners of that: in the middle of the circle
+  // through them, if it passes there, or else at one of its ends.
+  Vector narrowest(Cell_handle c, int k) const {
+    const Node &n = nodes[c->info()], &m = nodes[c->neighbor(k)->info()];
+    const Vector a = place(c->vertex((k + 1) % 4)), p = place(c->vertex((k + 2) % 4)) - a,
+                 q = place(c->vertex((k + 3) % 4)) - a;
+    const Vector way = m.place - n.place, normal = cross(p, q);
+    const double square = dot(normal, normal);
+    if(square > 0.) {
+      const Vector middle =
+          a + (0.5 / square) * (dot(p, p) * cross(q, normal) + dot(q, q) * cross(normal, p));
+      if(dot(middle - n.place, way) > 0. && dot(m.place - middle, way) > 0.)
+        return middle;
+    }
+    return n.radius < m.radius ? n.place : m.place;
+  }
+
+  Delaunay delaunay_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_VORONOI_GRAPH_H
