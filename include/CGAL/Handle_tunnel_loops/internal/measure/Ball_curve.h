@@ -42,7 +42,7 @@ public:
 
   /// the curve, pulled tight as far as some rounds do it.
   std::vector<Vector> tightened() {
-    constexpr int most_rounds = 6;
+    constexpr int most_rounds = 4;
     constexpr double least_gain = 0.005;
     double length = length_of_curve();
     for(int round = 0; round < most_rounds; ++round) {

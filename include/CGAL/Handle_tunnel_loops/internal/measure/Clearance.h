@@ -35,16 +35,17 @@ public:
 
   double tolerance() const { return tolerance_; }
 
-  /// the distance of a point to the surface, if it is less than \p most, or else that.
-  double at(const Vector& p, double most) const {
-    double limit = most * most;
-    faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
+  /// the distance of a point to the surface, if it is less than \p most, or else that. Nothing is
+  /// nearer than \p precision, at most 1, times as far: in the middle, much is about equally near.
+  double at(const Vector& p, double most, double precision = 1.) const {
+    double best = most * most;
+    faces_.boxes().for_each_nearer(p, precision * precision * best, [&](Index f) {
       const Triangle t = faces_.triangle(f);
       const Vector way = nearest_point(p, t[0], t[1], t[2]) - p;
-      limit = (std::min)(limit, dot(way, way));
-      return limit;
+      best = (std::min)(best, dot(way, way));
+      return precision * precision * best;
     });
-    return std::sqrt(limit);
+    return std::sqrt(best);
   }
 
   /// a place beside a point, on the same side of the surface, where a ball of a radius fits, if
@@ -78,11 +79,15 @@ public:
     return narrow_between(a, b, radius);
   }
 
+  /// how far apart, as a part of the radius, ends may be at which balls fit, for balls to fit in
+  /// between.
+  double step_without_a_look() const { return 2. * std::sqrt(2. * tolerance_); }
+
   /// the same where balls fit at the ends.
   Narrow narrow_between(const Vector& a, const Vector& b, double radius) const {
     constexpr double tight = 2.; // in such places much is about equally far away
     const double half = 0.5 * norm(b - a);
-    if(half <= std::sqrt(2. * tolerance_) * radius)
+    if(2. * half <= step_without_a_look() * radius)
       return std::nullopt;
     const Vector middle = 0.5 * (a + b);
     const double clearance = at(

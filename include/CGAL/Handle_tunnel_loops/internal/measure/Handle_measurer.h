@@ -248,13 +248,13 @@ private:
   // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
   // it. Those that are narrower than \p least stay as they are.
   void see_surface(Voronoi_graph& graph, double least) const {
-    const double about = 1. - 0.25 * gap_;
+    constexpr double precision = 0.97; // it is to choose by
     std::vector<double> clearance(graph.nodes.size(), 0.);
     for_each_index(
         execution_, graph.nodes.size(),
         [&](std::size_t i) {
           if(const Voronoi_graph::Node& n = graph.nodes[i]; n.radius >= least)
-            clearance[i] = clearance_.at(n.place, about * n.radius);
+            clearance[i] = clearance_.at(n.place, n.radius, precision);
         },
         256);
     for_each_index(
@@ -291,7 +291,20 @@ private:
     trials_.assign(cycles_.size(), {});
     for_each_index(
         execution_, cycles_.size(),
-        [&](std::size_t i) { trials_[i] = trial(cycles_[i], most_[i]); }, 1);
+        [&](std::size_t i) { trials_[i] = trial(thinned(cycles_[i]), most_[i]); }, 1);
+  }
+
+  // A cycle without most of its balls: those left out are so near to the one before that they lie
+  // in it, and that the way to the next needs no look.
+  Widest_cycle thinned(const Widest_cycle& cycle) const {
+    const double step = clearance_.step_without_a_look() * (1. - gap_) * cycle.radius;
+    Widest_cycle thin = {cycle.radius, cycle.row, {cycle.balls.front()}};
+    for(std::size_t i = 1; i < cycle.balls.size(); ++i) {
+      const Vector &last = thin.balls.back().place, &next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
+      if(norm(cycle.balls[i].place - last) > step || norm(next - last) > step)
+        thin.balls.push_back(cycle.balls[i]);
+    }
+    return thin;
   }
 
   // The largest of some radii for which there is room.
