@@ -32,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -64,7 +65,7 @@ public:
       , faces_(execution, mesh, span_of(places))
       , clearance_(faces_, gap_ / 12.)
       , wall_(mesh, span_of(places), faces_)
-      , points_(execution, faces_, points_per_vertex * places.size() + more_points)
+      , points_(execution, faces_)
       , loops_(loops_of(pairs))
       , linked_(execution, loops_)
       , finest_(loops_.size(), std::numeric_limits<double>::infinity()) {
@@ -82,8 +83,9 @@ public:
     for(std::size_t l = 0; l < loops_.size(); ++l)
       refine_along(l, lengths_[l] / 12., 0.5);
     points_.refine(execution_, std::exchange(requests_, {}));
-    points_.refine_by_thickness(wall_, part_of_thickness,
+    points_.refine_by_thickness(execution_, wall_, part_of_thickness,
                                 std::sqrt(area_ / double(most_at_first + places_)));
+    points_.set_most(points_.points().size() + points_per_vertex * places_ + more_points);
     Voronoi_graph graph(box_.low, box_.high);
     std::size_t inserted = 0;
     int rounds = 0;
@@ -92,9 +94,8 @@ public:
       graph.build(execution_);
       find_cycles(graph);
       ++rounds;
-      refine();
-      effort_ += points_.points().size() < (1. + least_growth) * double(inserted) ? 1 : 0;
-    } while(points_.points().size() > inserted && !points_.is_full());
+      refine(inserted);
+    } while(points_.points().size() > inserted);
     Flat_measures measures = assign();
     measures.number_of_points = points_.points().size();
     measures.number_of_rounds = rounds;
@@ -106,7 +107,7 @@ private:
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
   static constexpr std::size_t most_at_first = 20000;
   static constexpr int most_divisions = 5;
-  static constexpr std::size_t points_per_vertex = 3, more_points = 200000;
+  static constexpr std::size_t points_per_vertex = 3, more_points = 150000;
 
   /// A place at which a ball does not fit, and the distance of the points around, or less.
   struct Narrow_place
@@ -175,6 +176,20 @@ private:
     }
   }
 
+  // More effort where little came of it.
+  void refine(std::size_t before) {
+    constexpr int most_effort = 8;
+    do {
+      refine();
+      effort_ += points_.points().size() < (1. + least_growth) * double(before) ? 1 : 0;
+    } while(points_.points().size() == before && is_any_narrow() && effort_ < most_effort);
+  }
+
+  bool is_any_narrow() const {
+    return std::any_of(trials_.begin(), trials_.end(),
+                       [](const Trial& trial) { return !trial.narrow.empty(); });
+  }
+
   void refine() {
     for(std::size_t i = 0; i < cycles_.size(); ++i)
       if(!trials_[i].narrow.empty())
@@ -226,23 +241,52 @@ private:
     most_.clear();
     for(const Widest_cycle& cycle : cycles_)
       most_.push_back(cycle.radius);
-    try_cycles();
-    leaks_.assign(cycles_.size(), {});
-    loop_of_ = loop_at_most_ = loops_to_pass();
-    const auto fails = [](const Trial& trial) { return !trial.narrow.empty(); };
-    const auto last = std::find_if(trials_.rbegin(), trials_.rend(), fails);
-    if(last == trials_.rend())
-      return;
-    for(std::size_t i = 0; i < cycles_.size(); ++i)
-      leaks_[i] = trials_[i].narrow;
-    see_surface(graph, (1. - gap_) * most_[static_cast<std::size_t>(trials_.rend() - last) - 1]);
-    std::vector<Widest_cycle> inside =
-        Widest_cycles(execution_, graph, linked_).find(loops_.size());
-    if(inside.size() == cycles_.size()) {
-      cycles_ = std::move(inside);
-      loop_of_ = loops_to_pass();
-      try_cycles();
+    trials_ = trials(cycles_);
+    loop_at_most_ = loops_to_pass();
+    leaks_.clear();
+    for(const Trial& trial : trials_)
+      leaks_.push_back(trial.narrow);
+    const auto last = std::find_if(trials_.rbegin(), trials_.rend(),
+                                   [](const Trial& trial) { return !trial.narrow.empty(); });
+    if(last != trials_.rend()) {
+      see_surface(graph, (1. - gap_) * most_[static_cast<std::size_t>(trials_.rend() - last) - 1]);
+      std::vector<Widest_cycle> others =
+          Widest_cycles(execution_, graph, linked_).find(loops_.size());
+      if(others.size() == cycles_.size())
+        take_wider_ones(std::move(others));
     }
+    loop_of_ = loops_to_pass();
+  }
+
+  // Of the cycles and these, the ones that have most room and are independent.
+  void take_wider_ones(std::vector<Widest_cycle> cycles) {
+    std::vector<Trial> found = trials(cycles);
+    cycles.insert(cycles.end(), std::make_move_iterator(cycles_.begin()),
+                  std::make_move_iterator(cycles_.end()));
+    found.insert(found.end(), std::make_move_iterator(trials_.begin()),
+                 std::make_move_iterator(trials_.end()));
+    std::vector<std::size_t> order(cycles.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto room = [&](std::size_t i) { return found[i].is_wide ? found[i].radius : 0.; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return room(i) > room(j); });
+    cycles_.clear();
+    trials_.clear();
+    Linking_rank rank;
+    for(const std::size_t i : order)
+      if(cycles_.size() < most_.size() && rank.add(cycles[i].row)) {
+        judge(most_[cycles_.size()], cycles[i], found[i]);
+        cycles_.push_back(std::move(cycles[i]));
+        trials_.push_back(std::move(found[i]));
+      }
+  }
+
+  // Whether a cycle is as wide as it may be, which may be another radius than was tried.
+  void judge(double most, const Widest_cycle& cycle, Trial& trial) const {
+    if(trial.is_wide && trial.radius >= (1. - gap_) * most)
+      trial.narrow.clear();
+    else if(trial.narrow.empty())
+      trial.narrow.push_back({cycle.balls.front().place, cycle.balls.front().radius});
   }
 
   // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
@@ -287,11 +331,12 @@ private:
     return loops;
   }
 
-  void try_cycles() {
-    trials_.assign(cycles_.size(), {});
+  std::vector<Trial> trials(const std::vector<Widest_cycle>& cycles) const {
+    std::vector<Trial> found(cycles.size());
     for_each_index(
-        execution_, cycles_.size(),
-        [&](std::size_t i) { trials_[i] = trial(thinned(cycles_[i]), most_[i]); }, 1);
+        execution_, cycles.size(),
+        [&](std::size_t i) { found[i] = trial(thinned(cycles[i]), most_[i]); }, 1);
+    return found;
   }
 
   // A cycle without most of its balls: those left out are so near to the one before that they lie
@@ -300,7 +345,8 @@ private:
     const double step = clearance_.step_without_a_look() * (1. - gap_) * cycle.radius;
     Widest_cycle thin = {cycle.radius, cycle.row, {cycle.balls.front()}};
     for(std::size_t i = 1; i < cycle.balls.size(); ++i) {
-      const Vector &last = thin.balls.back().place, &next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
+      const Vector &last = thin.balls.back().place,
+                   &next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
       if(norm(cycle.balls[i].place - last) > step || norm(next - last) > step)
         thin.balls.push_back(cycle.balls[i]);
     }
@@ -322,7 +368,7 @@ private:
       }
       return best;
     }
-    for(const double part : {2., 4., 8., 16.}) {
+    for(const double part : {2., 4., 8., 16., 32., 48.}) {
       Trial trial = try_part(part);
       if(trial.is_wide) {
         trial.narrow = std::move(best.narrow);

@@ -43,10 +43,8 @@ point, nor one of a side of a face farther than s / 2.
 class Surface_points
 {
 public:
-  /// \p most is how many points there may be.
-  Surface_points(Execution execution, const Face_tree& faces, std::size_t most)
+  Surface_points(Execution execution, const Face_tree& faces)
       : faces_(faces)
-      , most_(most)
       , side_square_(faces.size()) {
     for_each_index(execution, faces.size(), [&](std::size_t f) {
       side_square_[f] = longest_side(faces.triangle(static_cast<Index>(f))).second;
@@ -59,6 +57,9 @@ public:
     if(known_.insert(p).second)
       points_.push_back(p);
   }
+
+  /// how many points there may be at most when faces are divided as is asked for.
+  void set_most(std::size_t most) { most_ = most; }
 
   bool is_full() const { return points_.size() >= most_; }
 
@@ -99,13 +100,34 @@ public:
 
   /// divides faces until sides are no longer than a part of the distance to what faces them, or
   /// than \p least.
-  void refine_by_thickness(const Wall& wall, double part, double least) {
-    for(Index f = 0; f < faces_.size(); ++f)
-      divide_by_thickness(faces_.triangle(f), f, wall, part, least);
+  void refine_by_thickness(Execution execution, const Wall& wall, double part, double least) {
+    const auto corners =
+        collect<Corner>(execution, faces_.size(), [&](std::size_t begin, std::size_t end) {
+          std::vector<Corner> found;
+          for(Index f = static_cast<Index>(begin); f < end; ++f)
+            divide_by_thickness(faces_.triangle(f), {f, wall, part, least}, found);
+          return found;
+        });
+    for(const Corner& corner : corners)
+      add_unless_close(corner.place, corner.level);
   }
 
 private:
   using Met = std::array<Index, 2>; // a face and a request
+
+  /// Of a piece, and the exponent of the distance of what is close to it.
+  struct Corner
+  {
+    Vector place;
+    int level;
+  };
+
+  struct Thickness_rule
+  {
+    Index face;
+    const Wall& wall;
+    double part, least;
+  };
 
   // Which it is, and its square.
   static std::pair<int, double> longest_side(const Triangle& t) {
@@ -128,16 +150,19 @@ private:
     return {Triangle{a, middle, c}, Triangle{middle, b, c}};
   }
 
-  void
-  divide_by_thickness(const Triangle& t, Index face, const Wall& wall, double part, double least) {
+  static void
+  divide_by_thickness(const Triangle& t, const Thickness_rule& rule, std::vector<Corner>& corners) {
     const auto [longest, square] = longest_side(t);
     const double side = std::sqrt(square);
-    if(side <= least || is_full() || side <= part * thickness(t, face, wall))
+    if(side <= rule.least)
+      return;
+    const double wanted = (std::max)(rule.least, rule.part * thickness(t, rule.face, rule.wall));
+    if(side <= wanted)
       return;
     const auto pieces = halves(t, longest);
-    add_unless_close(pieces[0][1], std::ilogb(0.25 * side));
+    corners.push_back({pieces[0][1], std::ilogb(wanted / 3.)});
     for(const Triangle& piece : pieces)
-      divide_by_thickness(piece, face, wall, part, least);
+      divide_by_thickness(piece, rule, corners);
   }
 
   // From the middle of a piece to the nearer of the faces on both sides that look towards it.
@@ -203,7 +228,7 @@ private:
   }
 
   const Face_tree& faces_;
-  std::size_t most_;
+  std::size_t most_ = (std::numeric_limits<std::size_t>::max)();
   std::vector<double> side_square_; // of the longest side, by face
   std::vector<Vector> points_;
   std::unordered_map<Cell, Index, boost::hash<Cell>> point_in_;
