@@ -83,8 +83,9 @@ public:
     for(std::size_t l = 0; l < loops_.size(); ++l)
       refine_along(l, lengths_[l] / 12., 0.5);
     points_.refine(execution_, std::exchange(requests_, {}));
+    const double number = double(most_at_first + places_);
     points_.refine_by_thickness(execution_, wall_, part_of_thickness,
-                                std::sqrt(area_ / double(most_at_first + places_)));
+                                (std::max)(std::sqrt(area_ / number), 0.1 * sides_ / number));
     points_.set_most(points_.points().size() + points_per_vertex * places_ + more_points);
     Voronoi_graph graph(box_.low, box_.high);
     std::size_t inserted = 0;
@@ -144,6 +145,7 @@ private:
     for(Index f = 0; f < faces_.size(); ++f) {
       const Triangle t = faces_.triangle(f);
       area_ += 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+      sides_ += norm(t[1] - t[0]) + norm(t[2] - t[1]) + norm(t[0] - t[2]);
       for(const Vector& p : t)
         box_.extend({p, p});
     }
@@ -507,8 +509,8 @@ private:
   Linked_segments linked_;
   std::vector<double> finest_; // by loop, sides of pieces around it
   std::size_t places_;
-  int effort_ = 0; // rounds in which little was added
-  double area_ = 0.;
+  int effort_ = 0;                // rounds in which little was added
+  double area_ = 0., sides_ = 0.; // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
   std::vector<double> most_;                     // by cycle, its radius at most
