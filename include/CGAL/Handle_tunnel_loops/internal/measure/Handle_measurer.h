@@ -291,16 +291,17 @@ private:
       trial.narrow.push_back({cycle.balls.front().place, cycle.balls.front().radius});
   }
 
+  static constexpr double about = 0.97; // to choose by, clearances are known so well
+
   // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
   // it. Those that are narrower than \p least stay as they are.
   void see_surface(Voronoi_graph& graph, double least) const {
-    constexpr double precision = 0.97; // it is to choose by
     std::vector<double> clearance(graph.nodes.size(), 0.);
     for_each_index(
         execution_, graph.nodes.size(),
         [&](std::size_t i) {
           if(const Voronoi_graph::Node& n = graph.nodes[i]; n.radius >= least)
-            clearance[i] = clearance_.at(n.place, n.radius, precision);
+            clearance[i] = clearance_.at(n.place, n.radius, about);
         },
         256);
     for_each_index(
@@ -317,7 +318,8 @@ private:
                    const std::vector<double>& clearance) const {
     const auto [a, b] = edge.nodes;
     const Voronoi_graph::Node &n = graph.nodes[a], &m = graph.nodes[b];
-    if(norm(n.place - m.place) >= clearance[a] + clearance[b] && wall_.meets(n.place, m.place))
+    if(norm(n.place - m.place) >= about * (clearance[a] + clearance[b]) &&
+       wall_.meets(n.place, m.place))
       return 0.;
     return (std::min)(clearance[a] / n.radius, clearance[b] / m.radius);
   }
