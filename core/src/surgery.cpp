@@ -11,6 +11,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/bore_diameters_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/caps_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/membranes_impl.h>

@@ -21,7 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/bore_diameters.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 
@@ -200,20 +200,19 @@ private:
   // By pair, whether it is that of a bore of a diameter that is asked for.
   template <typename VertexIndexMap, typename FaceIndexMap>
   std::vector<char> find_bores(VertexIndexMap vertex_index, FaceIndexMap face_index) const {
-    Handle_selection<Pair> all;
-    all.method = Removal_method::FILL;
-    const std::vector<Removal_task> tasks =
-        all.tasks(tm_, vertex_index, pairs_, report_.genus_before);
     const auto link = new_link();
     const Surgery_mesh mesh = link->read(execution, vertex_index, face_index);
-    const std::vector<std::optional<double>> diameters = bore_diameters(execution, mesh, tasks);
+    std::vector<std::vector<Place_on_edge>> tunnels;
+    for(const Pair& pair : pairs_)
+      tunnels.push_back(loop_choice(pair.tunnel(), tm_, vertex_index).places);
+    const std::vector<std::optional<Cylinder>> bores = bores_around(execution, mesh, tunnels);
     const double unit = link->unit(), least = options_.minimal_bore_diameter.value_or(0.),
                  most = options_.maximal_bore_diameter.value_or(
                      std::numeric_limits<double>::infinity());
     std::vector<char> is_wanted(pairs_.size(), 0);
-    for(std::size_t i = 0; i < tasks.size(); ++i)
-      is_wanted[tasks[i].pair] =
-          diameters[i] && least <= *diameters[i] * unit && *diameters[i] * unit <= most;
+    for(std::size_t i = 0; i < bores.size(); ++i)
+      is_wanted[i] =
+          bores[i] && least <= bores[i]->diameter * unit && bores[i]->diameter * unit <= most;
     return is_wanted;
   }
 

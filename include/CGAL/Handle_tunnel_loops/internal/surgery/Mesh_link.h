@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,11 +41,12 @@ Boundary curves get caps, which follow the vertices and faces of the mesh.
 What is very small or very large is read in another unit, a power of two, so that squares and
 products of its coordinates are numbers still. Vertices that stay are not touched by that.
 
-\tparam TriangleMesh a model of `MutableFaceGraph`, a triangle mesh
+\tparam TriangleMesh a model of `MutableFaceGraph`, a triangle mesh; or a constant model of
+  `FaceListGraph`, which can be read only
 */
 template <typename TriangleMesh, typename VertexPointMap> class Mesh_link
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using Graph_traits = boost::graph_traits<std::remove_const_t<TriangleMesh>>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -50,6 +51,20 @@ public:
           moments[i][j] += d[i] * d[j];
     });
     return diagonalize(moments);
+  }
+
+  /// the one along which directions vary least.
+  template <typename For_each> static Vector least_of_directions(const For_each& for_each) {
+    const Axes axes = of_directions(for_each);
+    std::array<double, 3> moments = {0., 0., 0.};
+    for_each([&](const Vector& d) {
+      for(std::size_t i = 0; i < 3; ++i) {
+        const double along = axes[i][0] * d[0] + axes[i][1] * d[1] + axes[i][2] * d[2];
+        moments[i] += along * along;
+      }
+    });
+    return axes[static_cast<std::size_t>(std::min_element(moments.begin(), moments.end()) -
+                                         moments.begin())];
   }
 
 private:

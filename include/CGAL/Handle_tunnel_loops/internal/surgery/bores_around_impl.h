@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORE_DIAMETERS_IMPL_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORE_DIAMETERS_IMPL_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORES_AROUND_IMPL_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORES_AROUND_IMPL_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
@@ -17,7 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/bore_diameters.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Wall_sections.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <cstddef>
@@ -26,14 +27,15 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// of the wall of a bore.
-inline std::optional<double> narrowest_diameter(const Surgery_mesh& mesh, const Cut_region& wall) {
-  std::optional<double> least;
-  for(const Bore_section& section : sections_of(mesh, wall.faces()))
-    if(const std::optional<double> diameter = section.diameter();
-       diameter && (!least || *diameter < *least))
-      least = diameter;
-  return least;
+/// in the wall of a bore.
+inline std::optional<Cylinder> narrowest_cylinder(const Surgery_mesh& mesh,
+                                                  const Cut_region& wall) {
+  std::optional<Cylinder> narrowest;
+  for(const Bore_section& section : Wall_sections(mesh, wall.faces())())
+    if(const std::optional<Cylinder> cylinder = section.cylinder();
+       cylinder && (!narrowest || cylinder->diameter < narrowest->diameter))
+      narrowest = cylinder;
+  return narrowest;
 }
 
 /// beside a loop, or else beside the shortest walk along it.
@@ -46,25 +48,27 @@ inline std::optional<Curve_off_vertices> curve_along(const Surgery_mesh& mesh,
   return curve;
 }
 
-CGAL_HTL_CORE std::vector<std::optional<double>> bore_diameters(
-    Execution execution, const Surgery_mesh& mesh, const std::vector<Removal_task>& tasks) {
-  std::vector<std::optional<double>> diameters(tasks.size());
+CGAL_HTL_CORE std::vector<std::optional<Cylinder>>
+bores_around(Execution execution,
+             const Surgery_mesh& mesh,
+             const std::vector<std::vector<Place_on_edge>>& loops) {
+  std::vector<std::optional<Cylinder>> bores(loops.size());
   const Concave_pieces pieces(execution, mesh, Shape_judge(mesh, false).outward());
   for_each_index(
-      execution, tasks.size(),
+      execution, loops.size(),
       [&](std::size_t i) {
-        const auto curve = curve_along(mesh, tasks[i].choices.front().places);
+        const auto curve = curve_along(mesh, loops[i]);
         if(!curve)
           return;
         // Alone, if it can be: the others that it meets have diameters of their own.
         const auto walls = Bore_search(mesh, pieces).walls_at(*curve);
         if(const auto& wall = walls.alone ? walls.alone : walls.joined)
-          diameters[i] = narrowest_diameter(mesh, *wall);
+          bores[i] = narrowest_cylinder(mesh, *wall);
       },
       1);
-  return diameters;
+  return bores;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORE_DIAMETERS_IMPL_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORES_AROUND_IMPL_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_ROUND_BORES_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_ROUND_BORES_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/Round_bore.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/crosses_faces_along_axis.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+/// \file round_bores.h
+/// The bores that tunnel loops go around: diameters and axes.
+
+namespace CGAL {
+
+/*!
+\ingroup PkgHandleTunnelLoopsRef
+
+finds for each pair of loops the round bore that its tunnel loop goes around, if that is one: the
+faces that are reached from the loop without passing a convex edge, bounded by mouths of which one
+at least is flat, hold a cylinder, all around. Its diameter is that of the circle through the
+vertices of its wall, so that it is right however few sides the bore has, if six at least. Of a bore
+with counterbores it is that of the narrowest part.
+
+It is near linear in the size of the mesh and of the walls of the bores; and linear in the length
+of the loops where none looks as if it went around a bore: most of the faces that a tight loop
+crosses there lie along the axis of the loop.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation; the result is the same
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
+\tparam OutputIterator a model of `OutputIterator` that accepts
+  `std::optional<Handle_tunnel_loops::Round_bore<Point>>`, where `Point` is the point type of the
+  mesh
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm the mesh
+\param pairs pairs of loops on it, such as `handle_tunnel_loops()` writes
+\param out the iterator that the bores are written to, one for each pair, in their order
+\param np an optional sequence of named parameters among those listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tm`}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+    \cgalParamExtra{coordinates are taken as doubles}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `out`, past the last bore written
+
+\pre `tm` is an oriented 2-manifold triangle mesh, with or without boundary, with finite
+  coordinates, and the loops are on it.
+
+\sa `remove_handles()`, which takes the diameters of bores in
+  `Handle_tunnel_loops::Removal_options`
+\sa `loop_shape()`
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename PairRange,
+          typename OutputIterator,
+          typename NamedParameters = parameters::Default_named_parameters>
+OutputIterator round_bores(const TriangleMesh& tm,
+                           const PairRange& pairs,
+                           OutputIterator out,
+                           const NamedParameters& np = parameters::default_values()) {
+  namespace impl = Handle_tunnel_loops::internal;
+  using Point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+  using Bore = Handle_tunnel_loops::Round_bore<Point>;
+  constexpr impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+  const auto point =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(vertex_point, tm));
+  std::vector<std::optional<Bore>> bores;
+  std::vector<std::vector<impl::Place_on_edge>> tunnels;
+  std::vector<std::size_t> numbers; // of their pairs
+  for(const auto& pair : pairs) {
+    if(impl::crosses_faces_along_axis(pair.tunnel(), tm, point)) {
+      tunnels.push_back(impl::loop_choice(pair.tunnel(), tm, vertex_index).places);
+      numbers.push_back(bores.size());
+    }
+    bores.emplace_back();
+  }
+  if(!tunnels.empty()) {
+    impl::Mesh_link<const TriangleMesh, Point_map> link(tm, point);
+    const impl::Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
+    const auto found = impl::bores_around(execution, mesh, tunnels);
+    const double unit = link.unit();
+    for(std::size_t i = 0; i < found.size(); ++i)
+      if(found[i]) {
+        const auto& c = found[i]->center;
+        const auto& a = found[i]->axis;
+        bores[numbers[i]] = Bore{unit * found[i]->diameter,
+                                 Point(unit * c.x(), unit * c.y(), unit * c.z()),
+                                 {a.x(), a.y(), a.z()}};
+      }
+  }
+  return std::copy(bores.begin(), bores.end(), out);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_ROUND_BORES_H
