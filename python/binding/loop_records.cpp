@@ -92,6 +92,19 @@ std::vector<htloops::Loop_record> loop_records(const py::dict& record) {
   return loops;
 }
 
+// By pair; the diameter of what is no bore is 0.
+py::dict record_of_bores(const htloops::Bores& bores) {
+  std::vector<double> diameters;
+  std::vector<htloops::Point> centres, axes;
+  for(const std::optional<htloops::Bore>& bore : bores) {
+    diameters.push_back(bore ? bore->diameter : 0.);
+    centres.push_back(bore ? bore->center : htloops::Point(0., 0., 0.));
+    axes.push_back(CGAL::ORIGIN + (bore ? bore->axis : htloops::Kernel::Vector_3(0., 0., 0.)));
+  }
+  return py::dict("diameters"_a = array_of(diameters), "centres"_a = rows_of<double>(centres),
+                  "axes"_a = rows_of<double>(axes));
+}
+
 // The first of them, as the program has it.
 std::string in_words(const std::vector<std::string>& problems) {
   constexpr std::size_t most = 10;
@@ -174,16 +187,17 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   waists["numbers"] = numbers_of(answer.boundaries.waists);
   py::dict record = record_of(mesh, loops);
   add_layers(record, answer.vertex_layers);
-  return py::dict(
-      "components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
-      "bounds_alone"_a = sides_alone, "linking"_a = matrix_of(answer.certificate.linking),
-      "certificate"_a = certificate_of(answer.certificate),
-      "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
-      "ended_by_time"_a = answer.statistics.was_ended_by_time,
-      "number_of_vertices"_a = answer.statistics.number_of_vertices,
-      "number_of_faces"_a = answer.statistics.number_of_faces,
-      "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
-      "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries, "waists"_a = waists, **record);
+  return py::dict("components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
+                  "bounds_alone"_a = sides_alone,
+                  "linking"_a = matrix_of(answer.certificate.linking),
+                  "certificate"_a = certificate_of(answer.certificate),
+                  "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
+                  "ended_by_time"_a = answer.statistics.was_ended_by_time,
+                  "number_of_vertices"_a = answer.statistics.number_of_vertices,
+                  "number_of_faces"_a = answer.statistics.number_of_faces,
+                  "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
+                  "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries,
+                  "waists"_a = waists, "bores"_a = record_of_bores(answer.bores), **record);
 }
 
 htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {

@@ -14,8 +14,8 @@
 
 #include "app/draw/pages.h"
 #include "app/solve/backends.h"
-#include "app/solve/boundaries.h"
 #include "app/solve/certification.h"
+#include "app/solve/details.h"
 #include "app/write/tables.h"
 
 #include <pybind11/stl.h>
@@ -48,8 +48,7 @@ py::dict find_loops(const py::array& points,
   return record_of(mesh, compute(threads, watch, [&] {
                      htloops::Answer answer =
                          htloops::choose_backend("auto").solve(mesh, options, watch);
-                     if(answer.statistics.number_of_boundaries > 0)
-                       answer.boundaries = htloops::find_boundaries(mesh, waists);
+                     htloops::add_details(mesh, waists, answer);
                      return answer;
                    }));
 }
@@ -75,8 +74,9 @@ py::bytes page(const py::array& points,
   answer.pairs = pairs_of(loops, mesh);
   return compute(0, watch, [&] {
     answer.boundaries = htloops::find_boundaries(mesh, false);
+    answer.bores = htloops::find_bores(mesh, answer.pairs);
     htl_window::Scene scene = htloops::scene_of_loops(
-        {}, title, mesh, answer, htloops::list_pairs(mesh, answer.pairs),
+        {}, title, mesh, answer, htloops::list_pairs(mesh, answer),
         std::to_string(answer.pairs.size()) + " pairs of loops\n", "pairs =");
     scene.title = "Handle and tunnel loops of " + title; // which is no name of a file
     return htl_window::page_of(scene);

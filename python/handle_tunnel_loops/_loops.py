@@ -142,13 +142,17 @@ class Loops:
 
         pair, handle_length, tunnel_length (in the unit of the coordinates), size (the shorter one over
         the diagonal of the mesh's box), centre (3,) and box (2, 3) of the shorter one, component,
-        handle_bounds, tunnel_bounds.
+        handle_bounds, tunnel_bounds, diameter (of the round bore that the tunnel goes around, or else of
+        a circle as long as the shorter loop), diameter_of ("bore", "handle" or "tunnel"), bore_axis (3,) and
+        bore_centre (3,), which are NaN for what is none.
         """
         table = np.zeros(self.genus, dtype=_row)
         diagonal = self._record["diagonal"]
+        bores = self._record["bores"]
         for i, (handle, tunnel) in enumerate(zip(self.handles, self.tunnels)):
             shorter = handle if handle.length <= tunnel.length else tunnel
             box = np.array([shorter.points.min(axis=0), shorter.points.max(axis=0)])
+            is_bore = bores["diameters"][i] > 0
             table[i] = (
                 i,
                 handle.length,
@@ -159,8 +163,30 @@ class Loops:
                 handle.component,
                 handle.bounds,
                 tunnel.bounds,
+                bores["diameters"][i] if is_bore else shorter.length / np.pi,
+                "bore" if is_bore else shorter.kind,
+                bores["axes"][i] if is_bore else np.nan,
+                bores["centres"][i] if is_bore else np.nan,
             )
         return table[np.argsort(table["size"], kind="stable")]
+
+    def columns(self) -> Dict[str, np.ndarray]:
+        """The same, each number in a column of its own, as pandas takes it: ``pandas.DataFrame(L.columns())``.
+
+        Of a vector these are name_x, name_y and name_z, of the box xmin to zmax.
+        """
+        columns: Dict[str, np.ndarray] = {}
+        table = self.table()
+        for name in table.dtype.names or ():
+            values = table[name]
+            if name == "box":
+                for i, end in enumerate(("min", "max")):
+                    columns.update({f"{axis}{end}": values[:, i, k] for k, axis in enumerate("xyz")})
+            elif values.ndim > 1:
+                columns.update({f"{name}_{axis}": values[:, k] for k, axis in enumerate("xyz")})
+            else:
+                columns[name] = values
+        return columns
 
 
 _row = np.dtype(
@@ -174,6 +200,10 @@ _row = np.dtype(
         ("component", np.int64),
         ("handle_bounds", "U9"),
         ("tunnel_bounds", "U9"),
+        ("diameter", np.float64),
+        ("diameter_of", "U6"),
+        ("bore_axis", np.float64, (3,)),
+        ("bore_centre", np.float64, (3,)),
     ]
 )
 

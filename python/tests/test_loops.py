@@ -114,6 +114,27 @@ def test_table(genus_3):
         assert np.isclose(row["size"], shorter.length / diagonal)
         assert np.array_equal(row["box"][0], shorter.points.min(axis=0))
         assert (row["handle_bounds"], row["tunnel_bounds"]) == (handle.bounds, tunnel.bounds)
+        assert row["diameter_of"] == shorter.kind
+        assert np.isclose(row["diameter"], shorter.length / np.pi)
+        assert np.all(np.isnan(row["bore_axis"]))
+
+
+def test_bores():
+    """A washer with sixteen sides, outside and inside."""
+    turn = 2 * np.pi * np.arange(16)[:, None] / 16
+    radius, height = np.array([1.0, 3.0, 3.0, 1.0]), np.array([0.0, 0.0, 1.0, 1.0])
+    V = np.stack([radius * np.cos(turn), radius * np.sin(turn), height + 0 * turn], axis=-1)
+    here = np.arange(64).reshape(16, 4)
+    right, up = np.roll(here, -1, axis=0), np.roll(here, -1, axis=1)
+    across = np.roll(right, -1, axis=1)
+    F = np.concatenate([np.stack(c, axis=-1).reshape(-1, 3) for c in ((here, right, across), (here, across, up))])
+    L = htl.loops(V.reshape(-1, 3), F)
+    (row,) = L.table()
+    assert row["diameter_of"] == "bore" and np.isclose(row["diameter"], 2)
+    assert np.allclose(row["bore_axis"], (0, 0, 1)) and np.allclose(row["bore_centre"], (0, 0, 0.5))
+    columns = L.columns()
+    assert all(column.shape == (1,) for column in columns.values())
+    assert columns["bore_axis_z"] == row["bore_axis"][2] and columns["ymax"] == row["box"][1, 1]
 
 
 def test_boundary(plate):

@@ -5,6 +5,7 @@ set(HTLOOPS_APP_SOURCES
   solve/boundaries.cpp
   solve/certification.cpp
   solve/cut_solver.cpp
+  solve/details.cpp
   solve/host_backend.cpp
   solve/reeb_solver.cpp
   solve/skeleton_solver.cpp

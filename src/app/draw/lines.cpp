@@ -100,8 +100,12 @@ Exported_lines lines_of(const Pairs& pairs) {
 
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
-  for(const Listed_pair& listed : listing)
+  for(const Listed_pair& listed : listing) {
     add_lines(result, answer.pairs[listed.pair], listed.pair);
+    const bool is_of_handle = listed.diameter.of == std::string(name_of(Loop_type::HANDLE));
+    Exported_line& measured = result.lines[result.lines.size() - (is_of_handle ? 2 : 1)];
+    measured.remark = ": d = " + three_digits(listed.diameter.value);
+  }
   const auto add = [&result](const std::vector<Loop>& loops, const auto& colour, const char* kind,
                              int number) {
     for(const Loop& loop : loops)

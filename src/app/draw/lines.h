@@ -34,6 +34,7 @@ struct Exported_line
   double length = 0.;
   bool is_outlined = false;       ///< in pictures, as it has a dark surface below
   bool is_numbered = true;        ///< in pictures with labels
+  std::string remark = {};        ///< what stands behind the number
   double width = 1.;              ///< in pictures, as a multiple of that of others
   std::vector<double> radii = {}; ///< by point, if it is drawn as thick as what is around it
 
@@ -56,7 +57,8 @@ struct Exported_lines
 Exported_lines lines_of(const Pairs& pairs);
 
 /// those of the listed pairs; and the boundary curves, of kind 2, and their waists, of kind 3, if
-/// there are any. In pictures only pairs are numbered.
+/// there are any. In pictures only pairs are numbered, and the loop that the diameter of a handle
+/// is taken from says it.
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
 
 /// throws `Failure` if the name of a file does not tell a format that lines can be written in.

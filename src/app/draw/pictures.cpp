@@ -29,7 +29,7 @@ std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines, bool has
   std::vector<htl_picture::Line> tubes;
   for(const Exported_line& line : lines.lines)
     tubes.push_back({coordinates(line.points), line.colour, line.is_closed,
-                     has_labels && line.is_numbered ? std::to_string(line.index) : "",
+                     has_labels && line.is_numbered ? std::to_string(line.index) + line.remark : "",
                      line.is_outlined, line.width, line.radii});
   return tubes;
 }

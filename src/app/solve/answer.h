@@ -15,9 +15,11 @@
 #include "solve/boundaries.h"
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include <CGAL/Handle_tunnel_loops/Round_bore.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +38,18 @@ struct Vertex_layers
   std::vector<double> times;
 };
 
-/// What a backend returns: certified pairs, and how they were found.
+using Bore = CGAL::Handle_tunnel_loops::Round_bore<Point>;
+
+/// By pair, the bore that its tunnel loop goes around, if that is one; empty if nobody looked.
+using Bores = std::vector<std::optional<Bore>>;
+
+/// What a backend returns: certified pairs, and how they were found. Boundaries and bores are
+/// looked for by `add_details()`.
 struct Answer
 {
   Pairs pairs;
   Boundaries boundaries;
+  Bores bores;
   Statistics statistics;
   Vertex_layers vertex_layers;
   std::string backend;

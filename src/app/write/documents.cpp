@@ -14,6 +14,8 @@
 #include "write/pair_listing.h"
 #include "write/tables.h"
 
+#include <CGAL/Handle_tunnel_loops/Loop_shape.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -69,6 +71,10 @@ private:
 
 Json json_of_point(const Point& point) {
   return std::array<double, 3>{point.x(), point.y(), point.z()};
+}
+
+Json json_of_vector(const Kernel::Vector_3& vector) {
+  return std::array<double, 3>{vector.x(), vector.y(), vector.z()};
 }
 
 // An array of what `json_of(element)` makes of the elements of a range.
@@ -141,11 +147,27 @@ Json json_of_line(const Loop& loop, const Ground& on, Json json) {
   return json;
 }
 
-// Its length and the component of the surface that it is on, what else is told of it, and where it
-// runs.
+// How flat and how round it is.
+Json json_of_shape(const Loop& loop) {
+  const auto shape = CGAL::loop_shape(loop.points());
+  Json json = {{"diameter", shape.diameter},
+               {"centre", json_of_point(shape.center)},
+               {"normal", json_of_vector(shape.normal)},
+               {"deviation", shape.deviation}};
+  if(shape.circle)
+    json["circle"] = {{"diameter", shape.circle->diameter},
+                      {"centre", json_of_point(shape.circle->center)},
+                      {"deviation", shape.circle->deviation}};
+  return json;
+}
+
+// Its length and the component of the surface that it is on, its shape, what else is told of it,
+// and where it runs.
 Json json_of(const Loop& loop, const Ground& on, const Json& more) {
   const Mesh::Vertex_index v = on.mesh.source(loop.steps().front().halfedge);
-  Json json = {{"length", loop.length()}, {"component", on.components[v.idx()]}};
+  Json json = {{"length", loop.length()},
+               {"component", on.components[v.idx()]},
+               {"shape", json_of_shape(loop)}};
   json.update(more);
   return json_of_line(loop, on, std::move(json));
 }
@@ -165,13 +187,20 @@ Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Ground
   return {{"waist", json_of_line(*waist, on, {{"length", waist->length()}})}};
 }
 
-// How small a pair is, and where its shorter loop lies.
+// How small a pair is, where its shorter loop lies, and how wide the handle is.
 Json json_of_place(const Listed_pair& pair) {
   const CGAL::Bbox_3& box = pair.box;
-  return {{"size", pair.size},
-          {"centre", json_of_point(pair.centre)},
-          {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
-                               Json::array({box.xmax(), box.ymax(), box.zmax()})})}};
+  Json json = {{"size", pair.size},
+               {"centre", json_of_point(pair.centre)},
+               {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
+                                    Json::array({box.xmax(), box.ymax(), box.zmax()})})},
+               {"diameter", pair.diameter.value},
+               {"diameter_of", pair.diameter.of}};
+  if(const std::optional<Bore>& bore = pair.diameter.bore)
+    json["bore"] = {{"diameter", bore->diameter},
+                    {"centre", json_of_point(bore->center)},
+                    {"axis", json_of_vector(bore->axis)}};
+  return json;
 }
 
 using Graph = CGAL::Reeb_graph<Mesh>;
@@ -419,7 +448,7 @@ void write_loops_json(const std::string& target,
   const CGAL::Bbox_3 box = box_of(mesh);
   std::size_t index = 0; // of the next loop
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
-    Json json = json_of_place(listed_pair(pair, index / 2, box));
+    Json json = json_of_place(listed_pair(answer, index / 2, box));
     for(const Loop_type type : loop_types) {
       json[name_of(type)] =
           json_of(pair.loop(type), on, linking.empty() ? Json::object() : json_of(linking[index]));

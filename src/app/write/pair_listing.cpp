@@ -9,6 +9,8 @@
 
 #include "write/pair_listing.h"
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -73,6 +75,16 @@ double relative_length(const Loop& loop, const CGAL::Bbox_3& box) {
   return length / distance([&](int k) { return box.max(k) / 2. - box.min(k) / 2.; });
 }
 
+const Loop& shorter_loop(const Pair& pair, const CGAL::Bbox_3& box) {
+  return relative_length(pair.handle(), box) <= relative_length(pair.tunnel(), box) ? pair.handle()
+                                                                                    : pair.tunnel();
+}
+
+Pair_diameter diameter_of(const Loop& shorter, const std::optional<Bore>& bore) {
+  return bore ? Pair_diameter{bore->diameter, "bore", bore}
+              : Pair_diameter{shorter.length() / CGAL_PI, name_of(shorter.type()), std::nullopt};
+}
+
 } // namespace
 
 CGAL::Bbox_3 box_of(const Mesh& mesh) {
@@ -90,24 +102,29 @@ Point middle_of(const CGAL::Bbox_3& box) {
   return {middle(0), middle(1), middle(2)};
 }
 
-Listed_pair listed_pair(const Pair& pair, std::size_t number, const CGAL::Bbox_3& box_of_mesh) {
-  const double handle = relative_length(pair.handle(), box_of_mesh),
-               tunnel = relative_length(pair.tunnel(), box_of_mesh);
-  const CGAL::Bbox_3 box = box_of((handle <= tunnel ? pair.handle() : pair.tunnel()).points());
+double size_of(const Pair& pair, const CGAL::Bbox_3& box_of_mesh) {
+  return relative_length(shorter_loop(pair, box_of_mesh), box_of_mesh);
+}
+
+Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bbox_3& box_of_mesh) {
+  const Pair& pair = answer.pairs[number];
+  const Loop& shorter = shorter_loop(pair, box_of_mesh);
+  const CGAL::Bbox_3 box = box_of(shorter.points());
   return {number,
           pair.handle().length(),
           pair.tunnel().length(),
-          (std::min)(handle, tunnel),
+          relative_length(shorter, box_of_mesh),
           middle_of(box),
-          box};
+          box,
+          diameter_of(shorter, number < answer.bores.size() ? answer.bores[number] : std::nullopt)};
 }
 
-Pair_listing list_pairs(const Mesh& mesh, const Pairs& pairs, const Listing_options& options) {
+Pair_listing list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options) {
   const CGAL::Bbox_3 box = box_of(mesh);
   Pair_listing listing;
-  for(std::size_t i = 0; i < pairs.size(); ++i)
-    if(is_wanted(pairs[i], options))
-      listing.push_back(listed_pair(pairs[i], i, box));
+  for(std::size_t i = 0; i < answer.pairs.size(); ++i)
+    if(is_wanted(answer.pairs[i], options))
+      listing.push_back(listed_pair(answer, i, box));
   std::sort(listing.begin(), listing.end(), [&](const Listed_pair& a, const Listed_pair& b) {
     return precedes(a, b, options.order);
   });

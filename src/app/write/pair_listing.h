@@ -11,6 +11,7 @@
 #define HTLOOPS_PAIR_LISTING_H
 
 #include "mesh_types.h"
+#include "solve/answer.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -38,21 +39,30 @@ struct Listing_options
   std::optional<CGAL::Bbox_3> box; ///< in which one of the loops lies, one that is shorter
 };
 
+/// How wide a handle is: a bore, or else the shorter loop if it were a circle.
+struct Pair_diameter
+{
+  double value;
+  const char* of; ///< "bore", "handle" or "tunnel"
+  std::optional<Bore> bore;
+};
+
 /// What is told of a pair beside the loops themselves.
 struct Listed_pair
 {
   std::size_t pair; ///< its number
   double handle_length, tunnel_length;
-  double size;      ///< the length of the shorter loop, relative to the diagonal of the mesh's box;
-                    ///< 0 if that is a point
+  double size;      ///< `size_of()`
   Point centre;     ///< of the box of the shorter loop
   CGAL::Bbox_3 box; ///< of the shorter loop
+  Pair_diameter diameter;
 };
 
 using Pair_listing = std::vector<Listed_pair>;
 
 /// the pairs that are wanted, in the order that is wanted; those that are equal in it by number.
-Pair_listing list_pairs(const Mesh& mesh, const Pairs& pairs, const Listing_options& options = {});
+Pair_listing
+list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options = {});
 
 /// the diagonal of a box, or of the bounding box.
 double diagonal_of(const CGAL::Bbox_3& box);
@@ -65,7 +75,11 @@ Point middle_of(const CGAL::Bbox_3& box);
 CGAL::Bbox_3 box_of(const Mesh& mesh);
 
 /// what is told of one pair on a mesh with this box.
-Listed_pair listed_pair(const Pair& pair, std::size_t number, const CGAL::Bbox_3& box_of_mesh);
+Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bbox_3& box_of_mesh);
+
+/// the length of the shorter loop, relative to the diagonal of the mesh's box; 0 if that is a
+/// point.
+double size_of(const Pair& pair, const CGAL::Bbox_3& box_of_mesh);
 
 } // namespace htloops
 

@@ -15,6 +15,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace htloops {
 namespace {
@@ -30,6 +31,28 @@ void write_sides(Text_writer& out, const Answer& answer, std::size_t pair) {
   const auto& linking = answer.certificate.linking;
   for(std::size_t loop = 2 * pair; loop < 2 * pair + 2; ++loop)
     out << ',' << (linking.empty() ? "" : word_for_side(linking[loop]));
+}
+
+// The cells between the name of the mesh and the error are a comma each, and one more.
+const std::size_t columns_before_error =
+    static_cast<std::size_t>(std::count(std::begin(pair_header), std::end(pair_header), ','));
+
+void write_pair_row(Text_writer& out, const Mesh_line& line, const Listed_pair& pair) {
+  out << cell_of(line.mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
+      << pair.tunnel_length << ',' << pair.size;
+  write_sides(out, line.answer, pair.pair);
+  out << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
+  for(int i = 0; i < 3; ++i)
+    out << ',' << pair.box.min(i);
+  for(int i = 0; i < 3; ++i)
+    out << ',' << pair.box.max(i);
+  out << ',' << pair.diameter.value << ',' << pair.diameter.of;
+  for(int i = 0; i < 3; ++i) {
+    out << ',';
+    if(pair.diameter.bore)
+      out << pair.diameter.bore->axis[i];
+  }
+  out << ',' << line.answer.statistics.genus << ",\n";
 }
 
 Json json_of(const Mesh_line& line) {
@@ -54,7 +77,9 @@ Json json_of(const Mesh_line& line) {
     json["pairs"].push_back({{"pair", pair.pair},
                              {"handle", pair.handle_length},
                              {"tunnel", pair.tunnel_length},
-                             {"size", pair.size}});
+                             {"size", pair.size},
+                             {"diameter", pair.diameter.value},
+                             {"diameter_of", pair.diameter.of}});
   json["boundary_lengths"] = Json::array();
   for(const Loop& curve : line.answer.boundaries.curves)
     json["boundary_lengths"].push_back(curve.length());
@@ -78,24 +103,15 @@ std::string padded(std::string name, int width) {
 } // namespace
 
 void write_pair_rows(Text_writer& out, const Mesh_line& line) {
-  for(const Listed_pair& pair : line.listing) {
-    out << cell_of(line.mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
-        << pair.tunnel_length << ',' << pair.size;
-    write_sides(out, line.answer, pair.pair);
-    out << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
-    for(int i = 0; i < 3; ++i)
-      out << ',' << pair.box.min(i);
-    for(int i = 0; i < 3; ++i)
-      out << ',' << pair.box.max(i);
-    out << '\n';
-  }
-}
-
-void write_pair_csv(const std::string& target, const Mesh_line& line) {
-  Text_writer out(target);
-  out << pair_header;
-  write_pair_rows(out, line);
-  out.finish();
+  if(line.exit_code != 0)
+    out << cell_of(line.mesh_file) << std::string(columns_before_error, ',')
+        << cell_of(boost::algorithm::replace_all_copy(line.error, "\n", " ")) << '\n';
+  else if(line.listing.empty())
+    out << cell_of(line.mesh_file) << std::string(columns_before_error - 1, ',')
+        << line.answer.statistics.genus << ",\n";
+  else
+    for(const Listed_pair& pair : line.listing)
+      write_pair_row(out, line, pair);
 }
 
 void write_mesh_line(Text_writer& out, const Mesh_line& line) {

@@ -23,7 +23,7 @@ namespace htloops {
 /// The header before rows of pairs, as RFC 4180 has it.
 constexpr char pair_header[] =
     "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
-    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax\n";
+    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax,diameter,diameter_of,axis_x,axis_y,axis_z,genus,error\n";
 
 /// What is told of one mesh of several.
 struct Mesh_line
@@ -38,11 +38,10 @@ struct Mesh_line
 };
 
 /// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
-/// loop bounds, and where the shorter loop is. Numbers read back exactly.
+/// loop bounds, where the shorter loop is, how wide the handle is, with the axis if that is a bore,
+/// and the genus. Numbers read back exactly. A mesh of which no pair is listed has a row without
+/// pair, and one that has no answer a row with the error.
 void write_pair_rows(Text_writer& out, const Mesh_line& line);
-
-/// writes a header and the pairs of one mesh.
-void write_pair_csv(const std::string& target, const Mesh_line& line);
 
 /// writes an object of JSON on a line. On the standard output it is there at once.
 void write_mesh_line(Text_writer& out, const Mesh_line& line);

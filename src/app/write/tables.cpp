@@ -139,6 +139,17 @@ std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, dou
   return result;
 }
 
+// Of what it is, with the axis of space that a bore is along, up to a quarter of a degree.
+std::string words_of(const Pair_diameter& diameter) {
+  constexpr double cosine = 0.99999;
+  if(!diameter.bore)
+    return diameter.of;
+  for(int i = 0; i < 3; ++i)
+    if(std::abs(diameter.bore->axis[i]) > cosine)
+      return diameter.of + std::string(" along ") + "xyz"[i];
+  return diameter.of + std::string(", oblique");
+}
+
 std::string centre_of(const Loop& curve) {
   const Point p = middle_of(CGAL::bbox_3(curve.points().begin(), curve.points().end()));
   return formatted("(%.4g, %.4g, %.4g)", p.x(), p.y(), p.z());
@@ -307,8 +318,17 @@ std::vector<std::string> cells_of(const Listed_pair& pair) {
           formatted("%.6g", pair.handle_length),
           formatted("%.6g", pair.tunnel_length),
           formatted("%.3g%%", 100. * pair.size),
+          formatted("%.6g", pair.diameter.value),
+          words_of(pair.diameter),
           formatted("(%.4g, %.4g, %.4g)", x, y, z),
           formatted("%.3g x %.3g x %.3g", width, depth, height)};
+}
+
+std::string three_digits(double number) {
+  const double digits = number > 0. ? std::floor(std::log10(number)) : 0.;
+  if(!(digits >= -3. && digits < 6.))
+    return formatted("%.3g", number);
+  return formatted("%.*f", (std::max)(0, 2 - static_cast<int>(digits)), number);
 }
 
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {

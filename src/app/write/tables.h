@@ -71,11 +71,16 @@ constexpr Table_column pair_columns[] = {{"pair", 5, true},
                                          {"handle", 12, true, Loop_type::HANDLE},
                                          {"tunnel", 12, true, Loop_type::TUNNEL},
                                          {"size", 8, true},
+                                         {"diameter", 10, true},
+                                         {"of", 14, false},
                                          {"centre of the shorter", 34, false},
                                          {"its box", 0, false}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Listed_pair& pair);
+
+/// a positive number with three digits that count: 6.00, 12.0, 120.
+std::string three_digits(double number);
 
 /// a table of pairs for a person: how long the loops are, and where the handles are.
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options);

@@ -162,7 +162,7 @@ std::vector<std::string> false_claims_on_loops(const Loops_record& record,
   std::vector<std::string> problems = Loop_comparison(record, certificate).problems();
   const CGAL::Bbox_3 box = box_of(mesh);
   for(std::size_t k = 0; k < record.pairs.size(); ++k) {
-    const double size = listed_pair(loops[k], k, box).size;
+    const double size = size_of(loops[k], box);
     if(record.pairs[k].size && !are_about_equal(*record.pairs[k].size, size))
       problems.push_back("pair " + std::to_string(k) + ": " +
                          given_as("the size", in_words(*record.pairs[k].size), in_words(size)));

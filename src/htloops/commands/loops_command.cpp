@@ -28,6 +28,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -119,8 +120,6 @@ void write_files(const Loops_options& options, const Mended_mesh& mended, const 
                      {options.mesh_file, json_of(options), line.read_seconds, mended.cuts});
   if(!options.events_file.empty())
     write_events(options.events_file, answer);
-  if(!options.csv_file.empty())
-    write_pair_csv(options.csv_file, line);
   for(const std::string& file : options.lines_files)
     export_lines(file, lines_of(answer, line.listing));
   if(!options.layers_file.empty())
@@ -163,12 +162,23 @@ Mesh_line solve_and_tell(const Loops_options& options) {
 }
 
 // Whatever happens to the mesh, there is a line about it.
-void run_with_line(const Loops_options& options) {
-  Text_writer out(options.jsonl_file);
+void run_with_lines(const Loops_options& options) {
+  std::optional<Text_writer> object, rows;
+  if(!options.jsonl_file.empty())
+    object.emplace(options.jsonl_file);
+  if(!options.csv_file.empty())
+    rows.emplace(options.csv_file);
   const Mesh_line line = line_of(options.mesh_file, [&] { return solve_and_tell(options); });
   throw_if_interrupted(); // then there is no answer about the mesh
-  write_mesh_line(out, line);
-  out.finish();
+  if(object) {
+    write_mesh_line(*object, line);
+    object->finish();
+  }
+  if(rows) {
+    *rows << pair_header;
+    write_pair_rows(*rows, line);
+    rows->finish();
+  }
   if(line.exit_code != 0)
     throw Failure(static_cast<Exit_code>(line.exit_code), line.error);
 }
@@ -178,10 +188,10 @@ void run(Loops_options& options) {
   options.mesh_file = options.mesh_files.front();
   if(options.has_many_meshes())
     run_on_many_meshes(options);
-  else if(options.jsonl_file.empty())
+  else if(options.jsonl_file.empty() && options.csv_file.empty())
     solve_and_tell(options);
   else
-    run_with_line(options);
+    run_with_lines(options);
 }
 
 constexpr char loops_description[] =

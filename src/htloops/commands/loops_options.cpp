@@ -11,6 +11,8 @@
 
 #include "app/failure.h"
 #include "app/solve/backends.h"
+#include "app/solve/details.h"
+#include "app/solve/progress.h"
 #include "app/write/files.h"
 #include "commands/command.h"
 #include "terminal/terminal.h"
@@ -29,7 +31,9 @@ const std::map<std::string, Pair_order> orders = {{"size", Pair_order::SIZE},
 void add_output_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the loops");
-  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each pair");
+  add_output(command, "--csv", "FILE.csv", options.csv_file,
+             "a row of numbers for each pair; one without pair for a mesh that has none, and\n"
+             "one with the error for a mesh that has no answer");
   add_output(command, "--jsonl", "FILE.jsonl", options.jsonl_file,
              "an object of JSON for each mesh, on a line: genus, sizes, times, error");
   add_lines_option(command, options, "the loops");
@@ -179,8 +183,8 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   Answer answer = choose_backend(options.backend).solve(mesh, solve_options, bar);
   if(options.backend == "auto" && cuda_backend.solve == nullptr)
     answer.statistics.fallback = "this htloops was built without CUDA";
-  if(answer.statistics.number_of_boundaries > 0)
-    answer.boundaries = find_boundaries(mesh, options.do_find_waists);
+  const Thread_limit limit(options.number_of_threads);
+  add_details(mesh, options.do_find_waists, answer);
   return answer;
 }
 
@@ -251,7 +255,7 @@ std::pair<Mended_mesh, Mesh_line> read_and_solve(const Loops_options& options, b
   line.read_seconds = stopwatch.seconds();
   write_read_mesh(options, mesh);
   line.answer = solve(mesh, options, show_progress);
-  line.listing = list_pairs(mesh, line.answer.pairs, listing_options(options.listing, mesh));
+  line.listing = list_pairs(mesh, line.answer, listing_options(options.listing, mesh));
   return {std::move(mended), std::move(line)};
 }
 

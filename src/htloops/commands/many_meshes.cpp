@@ -72,7 +72,7 @@ private:
       exit_code_ = line.exit_code;
     if(objects_)
       write_mesh_line(*objects_, line);
-    if(rows_ && line.exit_code == 0)
+    if(rows_)
       write_pair_rows(*rows_, line);
     if(!options_.is_quiet && !is_output_taken())
       show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +

@@ -93,7 +93,8 @@ void check_picture(const Picture_options& picture) {
 void add_word_options(CLI::App& command, Picture_options& picture) {
   command
       .add_flag("--labels", picture.has_labels,
-                "numbers beside the lines of the picture, where there is room")
+                "numbers beside the lines of the picture, where there is room; of handles\n"
+                "diameters, too")
       ->needs("--picture");
   command
       .add_flag("--legend", picture.has_legend, "what the colours of these lines mean, in a corner")

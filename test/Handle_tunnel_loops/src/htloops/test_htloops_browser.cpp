@@ -57,7 +57,7 @@ protected:
   void open(const Mesh& mesh) {
     htloops::Progress told;
     answer_ = htloops::host_backend.solve(mesh, {}, told);
-    listing_ = htloops::list_pairs(mesh, answer_.pairs);
+    listing_ = htloops::list_pairs(mesh, answer_);
     const std::string file = folder_.path("page.html");
     htloops::write_page(file, htloops::scene_of_loops({}, "a <mesh>.off", mesh, answer_, listing_,
                                                       "one\ntwo & <b>"));

@@ -141,7 +141,7 @@ TEST_F(Exports, meshes_read_back_as_they_were) {
 }
 
 TEST_F(Exports, a_long_table_is_abbreviated) {
-  Pair_listing pairs = list_pairs(mesh_, answer_.pairs);
+  Pair_listing pairs = list_pairs(mesh_, answer_);
   EXPECT_EQ(count_of(table_of_pairs(pairs, {}), "\n"), 3u); // with the header
   EXPECT_EQ(table_of_pairs({}, {}), "");
   pairs.resize(100, pairs[0]);

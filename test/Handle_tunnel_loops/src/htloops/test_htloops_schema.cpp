@@ -7,6 +7,7 @@
 
 #include "app/solve/backends.h"
 #include "app/solve/cut_solver.h"
+#include "app/solve/details.h"
 #include "app/solve/reeb_solver.h"
 #include "app/solve/removal_solver.h"
 #include "app/solve/skeleton_solver.h"
@@ -19,6 +20,12 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -90,9 +97,27 @@ Mesh mesh_with_holes() { return mesh_of<Mesh>(soup_with_holes()); }
 Answer solved(const Mesh& mesh, Solve_options options = {}) {
   Progress told;
   Answer answer = host_backend.solve(mesh, options, told);
-  if(answer.statistics.number_of_boundaries > 0)
-    answer.boundaries = find_boundaries(mesh, true);
+  add_details(mesh, true, answer);
   return answer;
+}
+
+// A washer with eight sides, outside and inside.
+Mesh bored_mesh() {
+  ::Soup soup;
+  constexpr std::uint32_t sides = 8;
+  constexpr std::array<std::array<double, 2>, 4> profile = {
+      {{1., 0.}, {3., 0.}, {3., 1.}, {1., 1.}}};
+  for(std::uint32_t i = 0; i < sides; ++i)
+    for(std::uint32_t k = 0; k < 4; ++k) {
+      const double angle = 2. * CGAL_PI * i / sides;
+      soup.points.push_back(
+          {profile[k][0] * std::cos(angle), profile[k][0] * std::sin(angle), profile[k][1]});
+      const std::uint32_t a = 4 * i + k, b = 4 * ((i + 1) % sides) + k,
+                          c = 4 * ((i + 1) % sides) + (k + 1) % 4, d = 4 * i + (k + 1) % 4;
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  return mesh_of<Mesh>(soup);
 }
 
 TEST_F(Loops_schema, fits_what_is_written) {
@@ -113,6 +138,22 @@ TEST_F(Loops_schema, fits_what_is_written) {
   schema_.expect_fits(ended);
   const Mesh sphere = mesh_of<Mesh>(Recipe{"sphere", {320, 0, 0}});
   schema_.expect_fits(written(sphere, solved(sphere)));
+}
+
+TEST_F(Loops_schema, fits_bores_and_shapes) {
+  const Mesh mesh = bored_mesh();
+  const json document = written(mesh, solved(mesh));
+  schema_.expect_fits(document);
+  const json& pair = document["pairs"][0];
+  EXPECT_EQ(pair["diameter_of"], "bore");
+  EXPECT_NEAR(pair["bore"]["diameter"].get<double>(), 2., 1e-9);
+  EXPECT_NEAR(pair["bore"]["axis"][2].get<double>(), 1., 1e-9);
+  EXPECT_NEAR(pair["tunnel"]["shape"]["circle"]["diameter"].get<double>(), 2., 1e-6);
+  schema_.expect_refuses(document,
+                         {[](json& d) { d["pairs"][0]["diameter_of"] = "drill"; },
+                          [](json& d) { d["pairs"][0]["diameter"] = -1.; },
+                          [](json& d) { d["pairs"][0]["bore"].erase("axis"); },
+                          [](json& d) { d["pairs"][0]["handle"]["shape"].erase("normal"); }});
 }
 
 TEST_F(Loops_schema, fits_what_is_not_known) {
@@ -306,7 +347,7 @@ TEST(Mesh_line_schema, fits_what_is_written) {
       line.number_of_faces = mesh->number_of_faces();
       line.read_seconds = 0.5;
       line.answer = solved(*mesh);
-      line.listing = list_pairs(*mesh, line.answer.pairs);
+      line.listing = list_pairs(*mesh, line.answer);
       write_mesh_line(out, line);
     }
     write_mesh_line(out, {"no.off", 2, "no such file"});
@@ -325,6 +366,7 @@ TEST(Mesh_line_schema, fits_what_is_written) {
                          [](json& d) { d["exit"] = 3; }, [](json& d) { d["error"] = "none"; },
                          [](json& d) { d["genus"] = 0.5; },
                          [](json& d) { d["pairs"][0].erase("size"); },
+                         [](json& d) { d["pairs"][0]["diameter_of"] = ""; },
                          [](json& d) { d["seconds"].erase("read"); }});
   schema.expect_refuses(documents[2],
                         {[](json& d) { d.erase("error"); }, [](json& d) { d["error"] = ""; }});

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/details.h"
+
+#include "solve/progress.h"
+
+#include <CGAL/Handle_tunnel_loops/round_bores.h>
+#include <CGAL/tags.h>
+
+#include <iterator>
+
+namespace htloops {
+
+Bores find_bores(const Mesh& mesh, const Pairs& pairs) {
+  Bores bores;
+  CGAL::round_bores<CGAL::Parallel_if_available_tag>(mesh, pairs, std::back_inserter(bores));
+  return bores;
+}
+
+void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer) {
+  const Stopwatch stopwatch;
+  if(answer.statistics.number_of_boundaries > 0)
+    answer.boundaries = find_boundaries(mesh, do_find_waists);
+  answer.bores = find_bores(mesh, answer.pairs);
+  answer.total_seconds += stopwatch.seconds();
+}
+
+} // namespace htloops
