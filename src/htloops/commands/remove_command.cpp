@@ -16,10 +16,13 @@
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/mesh_writer.h"
+#include "app/write/pair_listing.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
+
+#include <CGAL/number_utils.h>
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -49,6 +52,7 @@ struct Remove_options : Common_options // the JSON is the report
   std::string map_file;
   bool is_forced = false;
   bool is_dry_run = false;
+  bool is_sure = false; // also of lengths above the diagonal
   bool show_all = false;
 };
 
@@ -117,6 +121,25 @@ void check_options(const Remove_options& options) {
     throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
                       "--dry-run");
   check_common_options(options);
+}
+
+// A length that no small handle has: perhaps a percentage without its sign.
+void check_length(const std::string& option, const std::string& text, double diagonal) {
+  const auto length = parse_length(option, text, diagonal);
+  if(!length || *length <= diagonal)
+    return;
+  const bool has_sign = text.back() == '%';
+  throw wrong_usage(option + " " + text + " is more than the diagonal of the mesh's box, " +
+                    formatted("%.6g", diagonal) +
+                    (has_sign ? ": too long for a small handle" : "; was " + text + "% meant?") +
+                    " --yes does it nevertheless");
+}
+
+void check_lengths(const Remove_options& options, double diagonal) {
+  if(options.is_sure)
+    return;
+  check_length("--shorter-than", options.shorter_than, diagonal);
+  check_length("--necks", options.necks, diagonal);
 }
 
 // What of the mesh's data will be in the result; says what will not.
@@ -210,14 +233,36 @@ void write_files(const Remove_options& options, const Removal_shown& shown) {
     write_removal_page(options.page_file, view, shown);
 }
 
+// What was asked for, in other words: lengths are often taken for diameters, and the unit for
+// another.
+std::string words_of_length(const Remove_options& options,
+                            const Mesh& mesh,
+                            std::size_t number_of_pairs,
+                            const Removal_report& report) {
+  const double diagonal = diagonal_of(mesh);
+  const auto length = parse_length("--shorter-than", options.shorter_than, diagonal);
+  if(!length)
+    return "";
+  const std::string unit = options.shorter_than.back() == '%'
+                               ? formatted("is %.4g in the unit of the mesh", *length)
+                               : formatted("is in the unit of the mesh, %.3g%% of its diagonal",
+                                           100. * (*length / diagonal));
+  const std::size_t number = report.removed.size() + report.refused.size();
+  return "--shorter-than " + options.shorter_than + " " + unit +
+         formatted(", and a circumference (diameter %.4g): ", *length / CGAL_PI) +
+         std::to_string(number) + " of " + counted(number_of_pairs, "handle is", "handles are") +
+         " shorter\n";
+}
+
 void show(const Remove_options& options,
+          const std::string& words,
           const Removal_answer& answer,
           double loops_seconds,
           double read_seconds) {
   if(options.is_quiet)
     return;
   const std::string text =
-      table_of_removals(answer.report, options.show_all) + summary(answer.report) +
+      words + table_of_removals(answer.report, options.show_all) + summary(answer.report) +
       formatted("%.2f s after %.2f s for the loops and %.2f s of reading, ", answer.total_seconds,
                 loops_seconds, read_seconds) +
       counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
@@ -233,6 +278,7 @@ void run(const Remove_options& options) {
   auto [mesh, properties] = read(options);
   const double read_seconds = stopwatch.seconds();
   write_read_mesh(options, mesh);
+  check_lengths(options, diagonal_of(mesh));
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;
   const Pairs pairs = pairs_of(mesh, options, show_progress);
@@ -246,7 +292,8 @@ void run(const Remove_options& options) {
       write_map_json(options.map_file, mesh, answer);
   }
   write_files(options, {options.mesh_file, mesh, pairs, answer.report, answer.mesh});
-  show(options, answer, loops_seconds, read_seconds);
+  show(options, words_of_length(options, mesh, pairs.size(), answer.report), answer, loops_seconds,
+       read_seconds);
 }
 
 CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
@@ -263,7 +310,8 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
       command.add_option("--genus", options.genus, "the smallest, until genus G is left")
           ->option_text("G"),
       add_length(command, "--shorter-than", options.shorter_than,
-                 "handles with a loop that is shorter; %: of the diagonal of the box"),
+                 "handles with a loop that is shorter: a length around, in the\n"
+                 "unit of the mesh; %: of the diagonal of the box"),
       command
           .add_option("--pairs", options.pairs,
                       "those of some pairs, as 'htloops loops' counts;\n"
@@ -293,6 +341,9 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
   command.add_flag("--force", options.is_forced,
                    "also where that is no repair: where the bounding box\n"
                    "would grow, a cap be far larger than its hole, ...");
+  command.add_flag("--yes", options.is_sure,
+                   "also where --shorter-than or --necks is more than the\n"
+                   "diagonal of the box: then it may be a percentage without %");
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
