@@ -22,11 +22,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace htl_python {
 namespace {
 
 using htloops::Mesh;
+using namespace py::literals;
 
 py::dict find_loops(const py::array& points,
                     const py::array& triangles,
@@ -83,12 +85,48 @@ py::bytes page(const py::array& points,
   });
 }
 
+// What is not known is a ball without points.
+py::dict record_of_balls(const htloops::Measures& measures,
+                         std::optional<htloops::Ball> htloops::Measure::*which) {
+  std::vector<double> diameters, errors;
+  std::vector<htloops::Point> throats;
+  py::list curves;
+  for(const htloops::Measure& measure : measures) {
+    const htloops::Ball ball = (measure.*which).value_or(htloops::Ball());
+    diameters.push_back(ball.diameter);
+    errors.push_back(ball.error);
+    throats.push_back(measure.*which ? ball.throat : htloops::Point(0., 0., 0.));
+    curves.append(rows_of<double>(ball.curve));
+  }
+  return py::dict("diameters"_a = array_of(diameters), "errors"_a = array_of(errors),
+                  "throats"_a = rows_of<double>(throats), "curves"_a = curves);
+}
+
+py::dict measure(const py::array& points,
+                 const py::array& triangles,
+                 const py::dict& loops,
+                 double precision,
+                 int threads,
+                 Watch& watch) {
+  const Mesh mesh = mesh_of(points, triangles);
+  const htloops::Pairs pairs = pairs_of(loops, mesh);
+  const htloops::Measures measures = compute(
+      threads, watch, [&] { return htloops::find_measures(mesh, pairs, precision, watch); });
+  std::vector<std::string> why;
+  for(const htloops::Measure& measure : measures)
+    why.push_back(measure.why);
+  return py::dict("thickness"_a = record_of_balls(measures, &htloops::Measure::thickness),
+                  "clear_width"_a = record_of_balls(measures, &htloops::Measure::clear_width),
+                  "why"_a = why);
+}
+
 } // namespace
 
 void add_loops(py::module_& module) {
   module.def("loops", &find_loops);
   module.def("certify", &certify);
   module.def("page", &page);
+  module.def("measure", &measure);
 }
 
 } // namespace htl_python

@@ -22,6 +22,7 @@ counting from 0, with all faces oriented alike. Nothing of the caller's is chang
 Functions
 
     loops           the handle and tunnel loops of a mesh
+    measure         how thick handles are, and how wide their holes
     certify         what has been proved of loops
     curve_skeleton  lines in the middle of the solid inside a mesh, with radii and a proof
     reeb            the Reeb graph of a function on a mesh
@@ -43,6 +44,7 @@ raised). ``threads`` is how many a call takes at most, whatever others take at t
 
 from ._core import Interrupted, MeshError, version as _version
 from ._loops import Certificate, Loop, Loops, certify, html, loops
+from ._measures import Balls, Measures, measure
 from ._reeb import ReebGraph, reeb
 from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
 from ._sources import generate, kinds, read, repair
@@ -52,12 +54,14 @@ from ._survey import survey
 __version__ = _version.split()[1].rstrip(",")
 
 __all__ = [
+    "Balls",
     "Certificate",
     "CurveSkeleton",
     "DualCut",
     "Interrupted",
     "Loop",
     "Loops",
+    "Measures",
     "MeshError",
     "ReebGraph",
     "SkeletonCertificate",
@@ -69,6 +73,7 @@ __all__ = [
     "html",
     "kinds",
     "loops",
+    "measure",
     "read",
     "reeb",
     "remove_handles",

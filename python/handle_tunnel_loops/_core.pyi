@@ -40,6 +40,14 @@ def loops(
 def certify(
     points: np.ndarray, triangles: np.ndarray, loops: _Record, watch: Watch
 ) -> _Record: ...
+def measure(
+    points: np.ndarray,
+    triangles: np.ndarray,
+    loops: _Record,
+    precision: float,
+    threads: int,
+    watch: Watch,
+) -> _Record: ...
 def page(
     points: np.ndarray, triangles: np.ndarray, loops: _Record, title: str, watch: Watch
 ) -> bytes: ...

@@ -47,8 +47,12 @@ Json json_of(const Line& line) {
     json["surface"] = line.surface;
   if(!line.radii.empty())
     json["radii"] = true;
+  if(line.way != no_way)
+    json["way"] = line.way;
   return json;
 }
+
+Json json_of(const Scale& scale) { return {{"name", scale.name}, {"values", scale.values}}; }
 
 Json json_of(const Column& column) { return {{"name", column.name}, {"number", column.is_number}}; }
 
@@ -90,6 +94,7 @@ std::string scene_json(const Scene& scene,
                      {"columns", array_of(table.columns)},
                      {"rows", table.rows},
                      {"lengths", table.lengths},
+                     {"scales", array_of(table.scales)},
                      {"parts", table.parts},
                      {"numbers", table.numbers},
                      {"choice", table.choice}};

@@ -45,6 +45,7 @@ struct Line_group
 };
 
 constexpr std::size_t every_surface = static_cast<std::size_t>(-1);
+constexpr std::size_t no_way = static_cast<std::size_t>(-1);
 
 /// A polyline; a ball if it is closed and has a single point.
 struct Line
@@ -56,6 +57,8 @@ struct Line
   std::size_t surface = every_surface; ///< its number, if it is seen with this one only
   /// by point, how thick it is if the viewer wants that, in the unit of the points; or none.
   std::vector<double> radii = {};
+  std::size_t way =
+      no_way; ///< the number of a line along which a slider moves it, from its first point
 };
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
@@ -66,12 +69,20 @@ struct Column
   bool is_number;
 };
 
+/// What rows may be hidden by, and lines be coloured by, besides their lengths.
+struct Scale
+{
+  std::string name;
+  std::vector<double> values; ///< by row; what is not known is not finite
+};
+
 /// What is told beside the surface, and which lines belong to what is told.
 struct Table
 {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<double> lengths;      ///< by row: a slider hides rows, with their lines, by it
+  std::vector<Scale> scales;        ///< or by one of these
   std::vector<std::size_t> parts;   ///< by row: the part of the surface it tells of; or empty
   std::vector<std::size_t> numbers; ///< by row: the number by which it is chosen, of the first ones
   std::string choice;               ///< what precedes the numbers of the chosen rows: an option

@@ -15,16 +15,23 @@
 #include "words.h"
 #include "write/files.h"
 
+#include <CGAL/number_utils.h>
+
 #include <boost/algorithm/string/replace.hpp>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <limits>
+#include <optional>
 
 namespace htloops {
 namespace {
 
 // The extents of a box are told in fewer letters than where there is room.
-std::vector<std::string> narrow_cells_of(const Listed_pair& pair) {
-  std::vector<std::string> cells = cells_of(pair);
+std::vector<std::string> narrow_cells_of(const Listed_pair& pair, bool has_measures) {
+  std::vector<std::string> cells = cells_of(pair, has_measures);
   boost::algorithm::replace_all(cells.back(), " x ", "\u00d7");
   return cells;
 }
@@ -55,21 +62,78 @@ htl_window::Surface surface_of(const std::string& name, const Drawn_surface& sur
   return {name, surface.points, surface.triangles, {}, {}};
 }
 
+// Three great circles.
+std::vector<Point> circles_of(const Ball& ball) {
+  constexpr int sides = 32;
+  std::vector<Point> points;
+  for(int axis = 0; axis < 3; ++axis)
+    for(int i = 0; i <= sides; ++i) {
+      const double angle = 2. * CGAL_PI * i / sides;
+      std::array<double, 3> p = {0., 0., 0.};
+      p[static_cast<std::size_t>(axis)] = ball.diameter / 2. * std::cos(angle);
+      p[static_cast<std::size_t>((axis + 1) % 3)] = ball.diameter / 2. * std::sin(angle);
+      points.emplace_back(ball.throat.x() + p[0], ball.throat.y() + p[1], ball.throat.z() + p[2]);
+    }
+  return points;
+}
+
+// The ways of the balls that can be threaded, and these at their throats; a slider moves them.
+void add_balls(htl_window::Scene& scene, const Measures& measures, const Pair_listing& listing) {
+  if(!has_measures(listing))
+    return;
+  const std::size_t first = scene.groups.size();
+  scene.groups.insert(scene.groups.end(), {{"balls in the material", {120, 70, 20}},
+                                           {"balls through holes", {20, 120, 90}},
+                                           {"their ways", {120, 120, 130}, 0.6}});
+  for(std::size_t row = 0; row < listing.size(); ++row) {
+    const Measure& measure = measures[listing[row].pair];
+    std::size_t group = first;
+    for(const auto ball : {&measure.thickness, &measure.clear_width}) {
+      if(*ball && !(*ball)->curve.empty()) {
+        add_line(scene, (*ball)->curve, true, first + 2, row);
+        add_line(scene, circles_of(**ball), true, group, row);
+        scene.lines.back().way = scene.lines.size() - 2;
+      }
+      ++group;
+    }
+  }
+}
+
+// What rows may be hidden by.
+void add_scales(htl_window::Table& table, const Pair_listing& listing) {
+  const auto add = [&](const char* name, const auto& value_of) {
+    table.scales.push_back({name, {}});
+    for(const Listed_pair& pair : listing)
+      table.scales.back().values.push_back(
+          value_of(pair).value_or(std::numeric_limits<double>::quiet_NaN()));
+  };
+  add("diameter", [](const Listed_pair& pair) { return std::optional(pair.diameter.value); });
+  if(!has_measures(listing))
+    return;
+  const auto diameter = [](const std::optional<Listed_ball>& ball) {
+    return ball ? std::optional(ball->diameter) : std::nullopt;
+  };
+  add("thickness", [&](const Listed_pair& pair) { return diameter(pair.measure->thickness); });
+  add("clear width", [&](const Listed_pair& pair) { return diameter(pair.measure->clear_width); });
+}
+
 void add_pairs(htl_window::Scene& scene,
                const Pairs& pairs,
                const Pair_listing& listing,
                const std::string& choice) {
-  for(const Table_column& column : pair_columns)
+  const bool is_measured = has_measures(listing);
+  for(const Table_column& column : pair_columns(is_measured))
     scene.table.columns.push_back({column.name, column.is_number});
   scene.table.choice = choice;
   add_groups_of_loops(scene);
   for(std::size_t row = 0; row < listing.size(); ++row) {
     const Listed_pair& listed = listing[row];
-    scene.table.rows.push_back(narrow_cells_of(listed));
+    scene.table.rows.push_back(narrow_cells_of(listed, is_measured));
     scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
     scene.table.numbers.push_back(listed.pair);
     add_loops(scene, pairs[listed.pair], row);
   }
+  add_scales(scene.table, listing);
 }
 
 void add_group(htl_window::Scene& scene,
@@ -202,6 +266,7 @@ htl_window::Scene scene_of_loops(const View& view,
       scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
   scene.paragraphs = lines_of(summary);
   add_pairs(scene, answer.pairs, listing, choice);
+  add_balls(scene, answer.measures, listing);
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
   add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
   return scene;

@@ -15,6 +15,7 @@
 #include "solve/boundaries.h"
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
+#include <CGAL/Handle_tunnel_loops/Handle_measures.h>
 #include <CGAL/Handle_tunnel_loops/Round_bore.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -43,13 +44,20 @@ using Bore = CGAL::Handle_tunnel_loops::Round_bore<Point>;
 /// By pair, the bore that its tunnel loop goes around, if that is one; empty if nobody looked.
 using Bores = std::vector<std::optional<Bore>>;
 
+using Ball = CGAL::Handle_tunnel_loops::Threaded_ball<Point>;
+using Measure = CGAL::Handle_tunnel_loops::Handle_measures<Point>;
+
+/// By pair; empty if nobody measured.
+using Measures = std::vector<Measure>;
+
 /// What a backend returns: certified pairs, and how they were found. Boundaries and bores are
-/// looked for by `add_details()`.
+/// looked for by `add_details()`, measures are taken by `find_measures()`.
 struct Answer
 {
   Pairs pairs;
   Boundaries boundaries;
   Bores bores;
+  Measures measures;
   Statistics statistics;
   Vertex_layers vertex_layers;
   std::string backend;

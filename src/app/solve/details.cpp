@@ -9,11 +9,11 @@
 
 #include "solve/details.h"
 
-#include "solve/progress.h"
-
 #include <CGAL/Handle_tunnel_loops/round_bores.h>
+#include <CGAL/handle_measures.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace htloops {
@@ -22,6 +22,24 @@ Bores find_bores(const Mesh& mesh, const Pairs& pairs) {
   Bores bores;
   CGAL::round_bores<CGAL::Parallel_if_available_tag>(mesh, pairs, std::back_inserter(bores));
   return bores;
+}
+
+Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, Progress& progress) {
+  Measures measures;
+  progress.start("measures");
+  CGAL::handle_measures<CGAL::Parallel_if_available_tag>(
+      mesh, pairs, std::back_inserter(measures),
+      CGAL::parameters::relative_precision(precision,
+                                           CGAL::parameters::callback(progress.callback())));
+  progress.end();
+  return measures;
+}
+
+std::optional<double> noise_of(const Measure& measure) {
+  const auto &in = measure.thickness, &out = measure.clear_width;
+  if(in && out)
+    return (std::min)(in->diameter, out->diameter);
+  return in ? std::optional(in->diameter) : out ? std::optional(out->diameter) : std::nullopt;
 }
 
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer) {

@@ -11,11 +11,20 @@
 #define HTLOOPS_DETAILS_H
 
 #include "solve/answer.h"
+#include "solve/progress.h"
+
+#include <optional>
 
 namespace htloops {
 
 /// by pair, the bore that its tunnel loop goes around, if that is one.
 Bores find_bores(const Mesh& mesh, const Pairs& pairs);
+
+/// thickness and clear width by pair, each up to a part of it as an error.
+Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, Progress& progress);
+
+/// the smaller of thickness and clear width, as far as they are known; none if neither is.
+std::optional<double> noise_of(const Measure& measure);
 
 /// looks for what is told of a mesh with its loops: boundary curves, if it has some, and bores.
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer);

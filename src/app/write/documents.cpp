@@ -147,6 +147,22 @@ Json json_of_line(const Loop& loop, const Ground& on, Json json) {
   return json;
 }
 
+Json json_of(const Ball& ball) {
+  return {{"diameter", ball.diameter},
+          {"error", ball.error},
+          {"throat", json_of_point(ball.throat)},
+          {"curve", array_of(ball.curve, json_of_point)}};
+}
+
+void add_measure(Json& pair, const Measure& measure) {
+  if(measure.thickness)
+    pair["thickness"] = json_of(*measure.thickness);
+  if(measure.clear_width)
+    pair["clear_width"] = json_of(*measure.clear_width);
+  if(!measure.why.empty())
+    pair["not_measured_because"] = measure.why;
+}
+
 // How flat and how round it is.
 Json json_of_shape(const Loop& loop) {
   const auto shape = CGAL::loop_shape(loop.points());
@@ -449,6 +465,8 @@ void write_loops_json(const std::string& target,
   std::size_t index = 0; // of the next loop
   out.array("pairs", answer.pairs, [&](const Pair& pair) {
     Json json = json_of_place(listed_pair(answer, index / 2, box));
+    if(index / 2 < answer.measures.size())
+      add_measure(json, answer.measures[index / 2]);
     for(const Loop_type type : loop_types) {
       json[name_of(type)] =
           json_of(pair.loop(type), on, linking.empty() ? Json::object() : json_of(linking[index]));

@@ -9,6 +9,8 @@
 
 #include "write/pair_listing.h"
 
+#include "solve/details.h"
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -42,6 +44,11 @@ bool is_wanted(const Pair& pair, const Listing_options& options) {
                                         pair.tunnel().length() > options.longer_than));
 }
 
+double noise_or_infinity(const Listed_pair& pair) {
+  return pair.measure && pair.measure->noise ? *pair.measure->noise
+                                             : (std::numeric_limits<double>::infinity)();
+}
+
 bool precedes(const Listed_pair& a, const Listed_pair& b, Pair_order order) {
   switch(order) {
   case Pair_order::SIZE:
@@ -49,6 +56,9 @@ bool precedes(const Listed_pair& a, const Listed_pair& b, Pair_order order) {
   case Pair_order::LENGTH:
     return std::make_tuple(a.handle_length + a.tunnel_length, a.pair) <
            std::make_tuple(b.handle_length + b.tunnel_length, b.pair);
+  case Pair_order::NOISE:
+    return std::make_tuple(noise_or_infinity(a), a.pair) <
+           std::make_tuple(noise_or_infinity(b), b.pair);
   case Pair_order::PLACE:
     return std::tie(a.centre, a.pair) < std::tie(b.centre, b.pair);
   default:
@@ -73,6 +83,15 @@ double relative_length(const Loop& loop, const CGAL::Bbox_3& box) {
     length += distance([&](int k) { return p[k] / 2. - q[k] / 2.; });
   }
   return length / distance([&](int k) { return box.max(k) / 2. - box.min(k) / 2.; });
+}
+
+std::optional<Listed_ball> listed(const std::optional<Ball>& ball) {
+  return ball ? std::optional(Listed_ball{ball->diameter, ball->error, ball->throat})
+              : std::nullopt;
+}
+
+Listed_measure listed(const Measure& measure) {
+  return {listed(measure.thickness), listed(measure.clear_width), noise_of(measure), measure.why};
 }
 
 const Loop& shorter_loop(const Pair& pair, const CGAL::Bbox_3& box) {
@@ -116,7 +135,9 @@ Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bb
           relative_length(shorter, box_of_mesh),
           middle_of(box),
           box,
-          diameter_of(shorter, number < answer.bores.size() ? answer.bores[number] : std::nullopt)};
+          diameter_of(shorter, number < answer.bores.size() ? answer.bores[number] : std::nullopt),
+          number < answer.measures.size() ? std::optional(listed(answer.measures[number]))
+                                          : std::nullopt};
 }
 
 Pair_listing list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options) {
@@ -125,6 +146,12 @@ Pair_listing list_pairs(const Mesh& mesh, const Answer& answer, const Listing_op
   for(std::size_t i = 0; i < answer.pairs.size(); ++i)
     if(is_wanted(answer.pairs[i], options))
       listing.push_back(listed_pair(answer, i, box));
+  if(!std::isinf(options.noise_below))
+    listing.erase(std::remove_if(listing.begin(), listing.end(),
+                                 [&](const Listed_pair& pair) {
+                                   return !(noise_or_infinity(pair) < options.noise_below);
+                                 }),
+                  listing.end());
   std::sort(listing.begin(), listing.end(), [&](const Listed_pair& a, const Listed_pair& b) {
     return precedes(a, b, options.order);
   });

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace htloops {
@@ -27,7 +28,8 @@ enum class Pair_order {
   SIZE,   ///< the shorter loop, the smallest first
   LENGTH, ///< both loops together, the shortest first
   PAIR,   ///< the number of the pair
-  PLACE   ///< the centre, by x, then y, then z
+  PLACE,  ///< the centre, by x, then y, then z
+  NOISE   ///< the smaller of thickness and clear width; what is not measured comes last
 };
 
 /// Which pairs are listed, shown and drawn.
@@ -36,6 +38,7 @@ struct Listing_options
   Pair_order order = Pair_order::SIZE;
   double shorter_than = (std::numeric_limits<double>::infinity)(); ///< one of the loops at least
   double longer_than = 0.;                                         ///< both loops
+  double noise_below = (std::numeric_limits<double>::infinity)();  ///< the smaller measure
   std::optional<CGAL::Bbox_3> box; ///< in which one of the loops lies, one that is shorter
 };
 
@@ -47,6 +50,21 @@ struct Pair_diameter
   std::optional<Bore> bore;
 };
 
+/// A ball that can be threaded, without the curve along which it goes.
+struct Listed_ball
+{
+  double diameter, error;
+  Point throat;
+};
+
+/// How thick a handle is, and how wide its hole; why not, if one of them is not known.
+struct Listed_measure
+{
+  std::optional<Listed_ball> thickness, clear_width;
+  std::optional<double> noise; ///< `noise_of()`
+  std::string why;
+};
+
 /// What is told of a pair beside the loops themselves.
 struct Listed_pair
 {
@@ -56,6 +74,7 @@ struct Listed_pair
   Point centre;     ///< of the box of the shorter loop
   CGAL::Bbox_3 box; ///< of the shorter loop
   Pair_diameter diameter;
+  std::optional<Listed_measure> measure; ///< if it was taken
 };
 
 using Pair_listing = std::vector<Listed_pair>;

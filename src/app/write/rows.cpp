@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -52,7 +53,38 @@ void write_pair_row(Text_writer& out, const Mesh_line& line, const Listed_pair& 
     if(pair.diameter.bore)
       out << pair.diameter.bore->axis[i];
   }
-  out << ',' << line.answer.statistics.genus << ",\n";
+  out << ',' << line.answer.statistics.genus << ',';
+}
+
+void write_ball(Text_writer& out, const std::optional<Listed_ball>& ball) {
+  if(!ball) {
+    out << ",,,,,";
+    return;
+  }
+  out << ',' << ball->diameter << ',' << ball->error;
+  for(int i = 0; i < 3; ++i)
+    out << ',' << ball->throat[i];
+}
+
+void write_measure(Text_writer& out, const Listed_measure& measure) {
+  write_ball(out, measure.thickness);
+  write_ball(out, measure.clear_width);
+  out << ',' << cell_of(measure.why);
+}
+
+Json json_of(const Listed_ball& ball) {
+  return {{"diameter", ball.diameter},
+          {"error", ball.error},
+          {"throat", {ball.throat.x(), ball.throat.y(), ball.throat.z()}}};
+}
+
+void add_measure(Json& pair, const Listed_measure& measure) {
+  if(measure.thickness)
+    pair["thickness"] = json_of(*measure.thickness);
+  if(measure.clear_width)
+    pair["clear_width"] = json_of(*measure.clear_width);
+  if(!measure.why.empty())
+    pair["not_measured_because"] = measure.why;
 }
 
 Json json_of(const Mesh_line& line) {
@@ -73,13 +105,14 @@ Json json_of(const Mesh_line& line) {
     json["tunnels_bound_outside"] = certificate.tunnels_bound_outside.value_or(0);
   }
   json["pairs"] = Json::array();
-  for(const Listed_pair& pair : line.listing)
-    json["pairs"].push_back({{"pair", pair.pair},
-                             {"handle", pair.handle_length},
-                             {"tunnel", pair.tunnel_length},
-                             {"size", pair.size},
-                             {"diameter", pair.diameter.value},
-                             {"diameter_of", pair.diameter.of}});
+  for(const Listed_pair& pair : line.listing) {
+    Json listed = {
+        {"pair", pair.pair}, {"handle", pair.handle_length},    {"tunnel", pair.tunnel_length},
+        {"size", pair.size}, {"diameter", pair.diameter.value}, {"diameter_of", pair.diameter.of}};
+    if(pair.measure)
+      add_measure(listed, *pair.measure);
+    json["pairs"].push_back(std::move(listed));
+  }
   json["boundary_lengths"] = Json::array();
   for(const Loop& curve : line.answer.boundaries.curves)
     json["boundary_lengths"].push_back(curve.length());
@@ -102,16 +135,29 @@ std::string padded(std::string name, int width) {
 
 } // namespace
 
-void write_pair_rows(Text_writer& out, const Mesh_line& line) {
-  if(line.exit_code != 0)
+std::string header_of_rows(bool has_measures) {
+  return pair_header + std::string(has_measures ? measure_header : "") + "\n";
+}
+
+void write_pair_rows(Text_writer& out, const Mesh_line& line, bool has_measures) {
+  const auto end_row = [&](const std::optional<Listed_measure>& measure) {
+    if(has_measures)
+      write_measure(out, measure.value_or(Listed_measure()));
+    out << '\n';
+  };
+  if(line.exit_code != 0) {
     out << cell_of(line.mesh_file) << std::string(columns_before_error, ',')
-        << cell_of(boost::algorithm::replace_all_copy(line.error, "\n", " ")) << '\n';
-  else if(line.listing.empty())
+        << cell_of(boost::algorithm::replace_all_copy(line.error, "\n", " "));
+    end_row({});
+  } else if(line.listing.empty()) {
     out << cell_of(line.mesh_file) << std::string(columns_before_error - 1, ',')
-        << line.answer.statistics.genus << ",\n";
-  else
-    for(const Listed_pair& pair : line.listing)
+        << line.answer.statistics.genus << ',';
+    end_row({});
+  } else
+    for(const Listed_pair& pair : line.listing) {
       write_pair_row(out, line, pair);
+      end_row(pair.measure);
+    }
 }
 
 void write_mesh_line(Text_writer& out, const Mesh_line& line) {

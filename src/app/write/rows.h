@@ -23,7 +23,15 @@ namespace htloops {
 /// The header before rows of pairs, as RFC 4180 has it.
 constexpr char pair_header[] =
     "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
-    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax,diameter,diameter_of,axis_x,axis_y,axis_z,genus,error\n";
+    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax,diameter,diameter_of,axis_x,axis_y,axis_z,genus,error";
+
+/// What follows it on the line if handles were measured.
+constexpr char measure_header[] =
+    ",thickness,thickness_error,thickness_x,thickness_y,thickness_z,clear_width,clear_width_error,"
+    "throat_x,throat_y,throat_z,why";
+
+/// the whole line.
+std::string header_of_rows(bool has_measures);
 
 /// What is told of one mesh of several.
 struct Mesh_line
@@ -40,8 +48,9 @@ struct Mesh_line
 /// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
 /// loop bounds, where the shorter loop is, how wide the handle is, with the axis if that is a bore,
 /// and the genus. Numbers read back exactly. A mesh of which no pair is listed has a row without
-/// pair, and one that has no answer a row with the error.
-void write_pair_rows(Text_writer& out, const Mesh_line& line);
+/// pair, and one that has no answer a row with the error. With measures there are
+/// the diameters, errors and throats of the balls, or why they are not known.
+void write_pair_rows(Text_writer& out, const Mesh_line& line, bool has_measures);
 
 /// writes an object of JSON on a line. On the standard output it is there at once.
 void write_mesh_line(Text_writer& out, const Mesh_line& line);

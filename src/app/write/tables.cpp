@@ -306,7 +306,25 @@ std::vector<std::string> remarks_on_sides(const Certificate& certificate) {
   return lines;
 }
 
-std::vector<std::string> cells_of(const Listed_pair& pair) {
+std::vector<Table_column> pair_columns(bool has_measures) {
+  std::vector<Table_column> columns = {{"pair", 5, true},
+                                       {"handle", 12, true, Loop_type::HANDLE},
+                                       {"tunnel", 12, true, Loop_type::TUNNEL},
+                                       {"size", 8, true},
+                                       {"diameter", 10, true},
+                                       {"of", 14, false}};
+  if(has_measures)
+    columns.insert(columns.end(), {{"thickness", 10, true}, {"clear width", 11, true}});
+  columns.insert(columns.end(), {{"centre of the shorter", 34, false}, {"its box", 0, false}});
+  return columns;
+}
+
+bool has_measures(const Pair_listing& listing) {
+  return std::any_of(listing.begin(), listing.end(),
+                     [](const Listed_pair& pair) { return pair.measure.has_value(); });
+}
+
+std::vector<std::string> cells_of(const Listed_pair& pair, bool has_measures) {
   const CGAL::Bbox_3& box = pair.box;
   const std::array<double, 3> extents = {box.max(0) - box.min(0), box.max(1) - box.min(1),
                                          box.max(2) - box.min(2)};
@@ -314,14 +332,20 @@ std::vector<std::string> cells_of(const Listed_pair& pair) {
   const auto [x, y, z] =
       without_rounding({pair.centre.x(), pair.centre.y(), pair.centre.z()}, extent);
   const auto [width, depth, height] = without_rounding(extents, extent);
-  return {std::to_string(pair.pair),
-          formatted("%.6g", pair.handle_length),
-          formatted("%.6g", pair.tunnel_length),
-          formatted("%.3g%%", 100. * pair.size),
-          formatted("%.6g", pair.diameter.value),
-          words_of(pair.diameter),
-          formatted("(%.4g, %.4g, %.4g)", x, y, z),
-          formatted("%.3g x %.3g x %.3g", width, depth, height)};
+  std::vector<std::string> cells = {std::to_string(pair.pair),
+                                    formatted("%.6g", pair.handle_length),
+                                    formatted("%.6g", pair.tunnel_length),
+                                    formatted("%.3g%%", 100. * pair.size),
+                                    formatted("%.6g", pair.diameter.value),
+                                    words_of(pair.diameter)};
+  if(has_measures)
+    for(const auto ball : {&Listed_measure::thickness, &Listed_measure::clear_width})
+      cells.push_back(pair.measure && (*pair.measure).*ball
+                          ? formatted("%.4g", ((*pair.measure).*ball)->diameter)
+                          : "");
+  cells.push_back(formatted("(%.4g, %.4g, %.4g)", x, y, z));
+  cells.push_back(formatted("%.3g x %.3g x %.3g", width, depth, height));
+  return cells;
 }
 
 std::string three_digits(double number) {
@@ -331,9 +355,23 @@ std::string three_digits(double number) {
   return formatted("%.*f", (std::max)(0, 2 - static_cast<int>(digits)), number);
 }
 
+// The reasons, each once, with the number of pairs that it stands for.
+std::string why_not_measured(const Pair_listing& listing) {
+  std::map<std::string, std::size_t> count;
+  for(const Listed_pair& pair : listing)
+    if(pair.measure && !pair.measure->why.empty())
+      ++count[pair.measure->why];
+  std::string text;
+  for(const auto& [why, number] : count)
+    text += counted(number, "pair is", "pairs are") + " not measured: " + why + "\n";
+  return text;
+}
+
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {
-  return table(pair_columns, listing.size(), options,
-               [&](std::size_t i) { return cells_of(listing[i]); });
+  const bool is_measured = has_measures(listing);
+  return table(pair_columns(is_measured), listing.size(), options,
+               [&](std::size_t i) { return cells_of(listing[i], is_measured); }) +
+         why_not_measured(listing);
 }
 
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {

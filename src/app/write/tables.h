@@ -67,17 +67,14 @@ struct Table_options
   bool is_verbose = false; ///< why no device was used, too
 };
 
-constexpr Table_column pair_columns[] = {{"pair", 5, true},
-                                         {"handle", 12, true, Loop_type::HANDLE},
-                                         {"tunnel", 12, true, Loop_type::TUNNEL},
-                                         {"size", 8, true},
-                                         {"diameter", 10, true},
-                                         {"of", 14, false},
-                                         {"centre of the shorter", 34, false},
-                                         {"its box", 0, false}};
+/// those of a table of pairs, with measures if these were taken.
+std::vector<Table_column> pair_columns(bool has_measures);
 
 /// what stands in the columns.
-std::vector<std::string> cells_of(const Listed_pair& pair);
+std::vector<std::string> cells_of(const Listed_pair& pair, bool has_measures);
+
+/// whether any of them was measured.
+bool has_measures(const Pair_listing& listing);
 
 /// a positive number with three digits that count: 6.00, 12.0, 120.
 std::string three_digits(double number);

@@ -24,6 +24,7 @@ using Command = std::function<void()>;
 // Each declares a command with its options; if the command line asks for it, parsing assigns it to
 // `command`. A new command is one more function here and its call in main().
 void add_loops_command(CLI::App& app, Command& command);
+void add_measure_command(CLI::App& app, Command& command);
 void add_reeb_command(CLI::App& app, Command& command);
 void add_skeleton_command(CLI::App& app, Command& command);
 void add_cut_command(CLI::App& app, Command& command);

@@ -175,8 +175,8 @@ void run_with_lines(const Loops_options& options) {
     object->finish();
   }
   if(rows) {
-    *rows << pair_header;
-    write_pair_rows(*rows, line);
+    *rows << header_of_rows(options.has_measures());
+    write_pair_rows(*rows, line, options.has_measures());
     rows->finish();
   }
   if(line.exit_code != 0)
@@ -219,7 +219,30 @@ constexpr char loops_examples[] = R"(Examples:
                                                   a mesh that is not fit as it is
 )";
 
+constexpr char measure_description[] =
+    R"(Measures the handles of a triangle mesh: how thick they are, and how wide their holes.
+
+The thickness of a handle is the diameter of the largest ball that can be led around it within
+the material; the clear width of its hole is that of the largest ball that can be led through
+it, from outside. They depend on the shape alone, and each comes with a bound of its error.
+)";
+
+constexpr char measure_examples[] = R"(Examples:
+  htloops measure casting.stl                     a table, the smallest measure first
+  htloops measure *.stl --csv measures.csv        a row for each handle of many meshes
+  htloops measure scan.ply --noise-below 1%       what is thinner, or narrower, than that
+  htloops measure foam.off --html foam.html       the balls at their throats, in a browser
+)";
+
 } // namespace
+
+void add_measure_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Loops_options>();
+  CLI::App* measure = app.add_subcommand("measure", measure_description)->group("Commands");
+  add_measure_options(*measure, *options);
+  complete_help(*measure, measure_examples);
+  measure->callback([options, &command] { command = [options] { run(*options); }; });
+}
 
 void add_loops_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Loops_options>();

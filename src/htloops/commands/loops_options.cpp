@@ -26,16 +26,21 @@ namespace {
 const std::map<std::string, Pair_order> orders = {{"size", Pair_order::SIZE},
                                                   {"length", Pair_order::LENGTH},
                                                   {"pair", Pair_order::PAIR},
-                                                  {"place", Pair_order::PLACE}};
+                                                  {"place", Pair_order::PLACE},
+                                                  {"noise", Pair_order::NOISE}};
 
-void add_output_options(CLI::App& command, Loops_options& options) {
-  command.option_defaults()->group("What to write");
-  add_json_option(command, options, "the loops");
+void add_table_options(CLI::App& command, Loops_options& options) {
   add_output(command, "--csv", "FILE.csv", options.csv_file,
              "a row of numbers for each pair; one without pair for a mesh that has none, and\n"
              "one with the error for a mesh that has no answer");
   add_output(command, "--jsonl", "FILE.jsonl", options.jsonl_file,
              "an object of JSON for each mesh, on a line: genus, sizes, times, error");
+}
+
+void add_output_options(CLI::App& command, Loops_options& options) {
+  command.option_defaults()->group("What to write");
+  add_json_option(command, options, "the loops");
+  add_table_options(command, options);
   add_lines_option(command, options, "the loops");
   add_output(command, "--events", "FILE.json", options.events_file,
              "what happens to the fronts of the first pass, as JSON");
@@ -50,6 +55,14 @@ void add_output_options(CLI::App& command, Loops_options& options) {
   add_view_options(command, options);
 }
 
+void add_jobs_option(CLI::App& command, Loops_options& options) {
+  command
+      .add_option("--jobs", options.number_of_jobs,
+                  "how many meshes at once, each in a thread of its own; default: 1")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+}
+
 void add_computation_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("How to compute");
   add_choice(command, "--backend", "NAME", options.backend,
@@ -61,11 +74,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
       "the loops are not shortened, and named by --classify offset; ends with 1\n"
       "where they lead to no loops");
   add_threads_option(command, options);
-  command
-      .add_option("--jobs", options.number_of_jobs,
-                  "how many meshes at once, each in a thread of its own; default: 1")
-      ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+  add_jobs_option(command, options);
   command
       .add_option("--seed", options.seed,
                   "vertex to grow from, from 0 as in the file; default: the first")
@@ -97,6 +106,10 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
                   "what else there is to do is done: the loops are certified as ever")
       ->option_text("SECONDS")
       ->check(why_not_finite);
+  command.add_flag("--measure", options.is_to_measure,
+                   "how thick each handle is and how wide its hole: the largest balls that can be\n"
+                   "threaded around it in the material, and through it");
+  add_precision_option(command, options.precision);
   add_choice(command, "--classify", "HOW", options.classifier,
              "what tells handles from tunnels: linking (numbers, exact; the default)\n"
              "or offset (change of length: faster, but no loop is made to bound)",
@@ -105,12 +118,13 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
 
 void add_listing_options(CLI::App& command, Listing_choice& choice) {
   add_choice(command, "--sort", "KEY", choice.order,
-             "size (of the shorter loop), length (of both), pair (the number) or place;\n"
-             "default: size, the smallest first",
+             "size (of the shorter loop), length (of both), pair (the number), place, or\n"
+             "noise (the smaller measure); default: size, the smallest first",
              orders);
   add_length(command, "--shorter-than", choice.shorter_than,
              "pairs with a loop that is shorter; %: of the diagonal of the box");
   add_length(command, "--longer-than", choice.longer_than, "pairs both loops of which are longer");
+  add_noise_option(command, choice.noise_below, "pairs");
   add_box_option(command, choice.box, "pairs");
 }
 
@@ -146,6 +160,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
 void check_listing_choice(const Listing_choice& choice) {
   parse_length("--shorter-than", choice.shorter_than);
   parse_length("--longer-than", choice.longer_than);
+  parse_length("--noise-below", choice.noise_below);
   box_of(choice.box);
 }
 
@@ -158,6 +173,8 @@ Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh) 
     options.shorter_than = *length;
   if(const auto length = parse_length("--longer-than", choice.longer_than, whole))
     options.longer_than = *length;
+  if(const auto length = parse_length("--noise-below", choice.noise_below, whole))
+    options.noise_below = *length;
   options.box = box_of(choice.box);
   return options;
 }
@@ -185,6 +202,11 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
     answer.statistics.fallback = "this htloops was built without CUDA";
   const Thread_limit limit(options.number_of_threads);
   add_details(mesh, options.do_find_waists, answer);
+  if(options.has_measures()) {
+    const Stopwatch stopwatch;
+    answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
+    answer.total_seconds += stopwatch.seconds();
+  }
   return answer;
 }
 
@@ -199,11 +221,54 @@ void add_loops_options(CLI::App& command, Loops_options& options) {
   add_display_options(command, options);
 }
 
+void add_precision_option(CLI::App& command, std::string& precision) {
+  command
+      .add_option("--precision", precision,
+                  "the largest error of a measure, as a part of it, 0.1% to 20%; default: 1%")
+      ->option_text("P%");
+}
+
+double parse_precision(const std::string& text) {
+  const double precision = parse_length("--precision", text).value_or(0.01);
+  if(!(precision >= 0.001 && precision <= 0.2))
+    throw wrong_usage("--precision " + text + ": from 0.1% to 20%, such as 1%");
+  return precision;
+}
+
+CLI::Option* add_noise_option(CLI::App& command, std::string& length, const std::string& what) {
+  return add_length(command, "--noise-below", length,
+                    what + " that are thinner, or have a narrower hole; measures them");
+}
+
+void add_measure_options(CLI::App& command, Loops_options& options) {
+  options.is_to_measure = true;
+  options.listing.order = "noise";
+  add_input(command, "MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl");
+  add_format_option(command, options);
+  command.option_defaults()->group("What to write");
+  add_json_option(command, options, "the loops with their measures");
+  add_table_options(command, options);
+  add_picture_options(command, options, "the loops");
+  add_page_option(command, options, "the mesh, the loops and the balls");
+  add_view_options(command, options);
+  add_remedy_options(command, options);
+  command.option_defaults()->group("How to compute");
+  add_precision_option(command, options.precision);
+  add_threads_option(command, options);
+  add_jobs_option(command, options);
+  add_display_options(command, options);
+}
+
 void check_loops_options(const Loops_options& options) {
   choose_backend(options.backend);
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
     throw wrong_usage("--literal goes with --backend reference");
+  parse_precision(options.precision);
+  if(options.has_measures() && options.basis != "pure")
+    throw wrong_usage("measures are of handles and tunnels: not with --basis shortest");
+  if(options.listing.order == "noise" && !options.has_measures())
+    throw wrong_usage("--sort noise needs --measure");
   if(options.time_budget && *options.time_budget < 0.)
     throw wrong_usage("--time-budget is a number of seconds, 0 or more");
   check_suffix(options.layers_file, ".ply");
@@ -238,6 +303,8 @@ Json json_of(const Loops_options& options) {
       {"search_effort", options.search_effort},
       {"time_budget", options.time_budget ? Json(*options.time_budget) : Json()},
       {"waists", options.do_find_waists},
+      {"measure", options.has_measures()},
+      {"precision", parse_precision(options.precision)},
       {"triangulate", options.remedies.do_triangulate},
       {"repair", options.remedies.do_repair}};
   if(options.remedies.do_repair && !options.remedies.steps.all())

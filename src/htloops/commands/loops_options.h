@@ -30,6 +30,7 @@ struct Listing_choice
   std::string order = "size";
   std::string shorter_than;
   std::string longer_than;
+  std::string noise_below;
   std::vector<double> box;
 };
 
@@ -55,14 +56,27 @@ struct Loops_options : Common_options
   std::string basis = "pure";
   std::string classifier = "linking";
   int number_of_jobs = 1; ///< meshes at once
+  bool is_to_measure = false;
+  std::string precision = "1%"; ///< of measures, relative to each
   bool show_all = false;
   bool is_verbose = false;
   std::string colour = "auto";
 
   bool has_many_meshes() const { return mesh_files.size() > 1; }
+  bool has_measures() const { return is_to_measure || !listing.noise_below.empty(); }
 };
 
 void add_loops_options(CLI::App& command, Loops_options& options);
+
+/// those of `htloops measure`, which has the most usual of them.
+void add_measure_options(CLI::App& command, Loops_options& options);
+
+/// declares `--precision`, and how it is understood; throws `Failure` if it makes no sense.
+void add_precision_option(CLI::App& command, std::string& precision);
+double parse_precision(const std::string& text);
+
+/// declares `--noise-below`.
+CLI::Option* add_noise_option(CLI::App& command, std::string& length, const std::string& what);
 
 /// throws `Failure` if an option makes no sense, or not with several meshes.
 void check_loops_options(const Loops_options& options);

@@ -12,6 +12,7 @@
 #include "app/read/vertex_data.h"
 #include "app/solve/backends.h"
 #include "app/solve/certification.h"
+#include "app/solve/details.h"
 #include "app/solve/removal_solver.h"
 #include "app/words.h"
 #include "app/write/documents.h"
@@ -19,6 +20,7 @@
 #include "app/write/pair_listing.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
+#include "commands/loops_options.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
@@ -47,6 +49,8 @@ struct Remove_options : Common_options // the JSON is the report
   std::vector<std::string> pairs; // numbers, some with a way: "5", "1:fill"
   std::vector<double> box;
   std::string necks;
+  std::string noise_below;
+  std::string precision = "1%";
   std::string bores; // "MIN:MAX", either of them may be missing
   std::string method = "smallest-change";
   std::string map_file;
@@ -109,6 +113,8 @@ void check_options(const Remove_options& options) {
   check_mesh_format(options.result_file);
   parse_length("--shorter-than", options.shorter_than);
   parse_length("--necks", options.necks);
+  parse_length("--noise-below", options.noise_below);
+  parse_precision(options.precision);
   box_of(options.box);
   for(const std::string& pair : options.pairs)
     parse_pair(pair);
@@ -140,6 +146,7 @@ void check_lengths(const Remove_options& options, double diagonal) {
     return;
   check_length("--shorter-than", options.shorter_than, diagonal);
   check_length("--necks", options.necks, diagonal);
+  check_length("--noise-below", options.noise_below, diagonal);
 }
 
 // What of the mesh's data will be in the result; says what will not.
@@ -186,7 +193,23 @@ Pairs pairs_of(const Mesh& mesh, const Remove_options& options, bool show_progre
   return host_backend.solve(mesh, solve_options, bar).pairs;
 }
 
-Removal_options wish(const Mesh& mesh, const Remove_options& options) {
+// Those with a measure below a length, by number.
+std::vector<std::size_t>
+pairs_of_noise(const Mesh& mesh, const Pairs& pairs, const Remove_options& options, double below) {
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  const Thread_limit limit(options.number_of_threads);
+  const Measures measures = find_measures(mesh, pairs, parse_precision(options.precision), bar);
+  std::vector<std::size_t> numbers;
+  for(std::size_t i = 0; i < measures.size(); ++i)
+    if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
+      numbers.push_back(i);
+    else if(!noise)
+      std::fprintf(stderr, "htloops: pair %zu stays, as it is not measured: %s\n", i,
+                   measures[i].why.c_str());
+  return numbers;
+}
+
+Removal_options wish(const Mesh& mesh, const Pairs& pairs, const Remove_options& options) {
   Removal_options removal;
   removal.target_genus = options.genus.value_or(0);
   const double whole = diagonal_of(mesh);
@@ -202,6 +225,8 @@ Removal_options wish(const Mesh& mesh, const Remove_options& options) {
   removal.box = box_of(options.box);
   if(const auto length = parse_length("--necks", options.necks, whole))
     removal.maximal_length = removal.maximal_neck_length = *length;
+  if(const auto length = parse_length("--noise-below", options.noise_below, whole))
+    removal.pairs = pairs_of_noise(mesh, pairs, options, *length);
   if(!options.bores.empty()) {
     const auto [least, most] = parse_range(options.bores);
     removal.minimal_bore_diameter = least;
@@ -284,7 +309,7 @@ void run(const Remove_options& options) {
   const Pairs pairs = pairs_of(mesh, options, show_progress);
   const double loops_seconds = loops_stopwatch.seconds();
   Progress_bar bar(show_progress);
-  const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, options), bar);
+  const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, pairs, options), bar);
   if(!options.is_dry_run) {
     spread_properties(answer, properties);
     write_mesh(options.result_file, answer.mesh, properties);
@@ -323,6 +348,7 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
       add_length(command, "--necks", options.necks,
                  "handles with a loop that is shorter, and necks:\n"
                  "shorter loops at which shells come apart"),
+      add_noise_option(command, options.noise_below, "handles"),
       add_bores_option(command, options.bores),
   };
   for(CLI::Option* const option : selections) {
@@ -341,8 +367,9 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
   command.add_flag("--force", options.is_forced,
                    "also where that is no repair: where the bounding box\n"
                    "would grow, a cap be far larger than its hole, ...");
+  add_precision_option(command, options.precision);
   command.add_flag("--yes", options.is_sure,
-                   "also where --shorter-than or --necks is more than the\n"
+                   "also where --shorter-than, --necks or --noise-below is more than the\n"
                    "diagonal of the box: then it may be a percentage without %");
   command
       .add_option("--loops", options.loops_file,

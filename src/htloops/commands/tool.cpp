@@ -115,6 +115,7 @@ constexpr char tool_footer[] =
 Examples:
   htloops generate torus -o torus.off             makes a mesh to try
   htloops loops torus.off -o torus.json           finds its loops
+  htloops measure torus.off                       tells how thick and how wide it is
   htloops check torus.off torus.json              checks them
   htloops reeb torus.off --picture reeb.png       draws its Reeb graph
   htloops skeleton torus.off --lines torus.vtp    finds a curve skeleton inside
@@ -181,6 +182,7 @@ int run_tool(int argc, char** argv) {
   app.require_subcommand(1);
   Command command;
   add_loops_command(app, command);
+  add_measure_command(app, command);
   add_reeb_command(app, command);
   add_skeleton_command(app, command);
   add_cut_command(app, command);

@@ -234,5 +234,19 @@ async function loadLines(scene) {
   return points;
 }
 
+// Where a closed line is after a part of its length, in steps from its first point.
+function placeOn(points, line, part, scale) {
+  const at = i => [0, 1, 2].map(k => stepsOf(points, i, k)), begin = at(line.first), ends = [0];
+  for (let i = line.first; i < line.last; ++i) {
+    const [p, q] = [at(i), at(i + 1)];
+    ends.push(ends[ends.length - 1] + Math.hypot(...p.map((x, k) => (q[k] - x) * scale[k])));
+  }
+  const wanted = part * ends[ends.length - 1];
+  const next = Math.max(1, ends.findIndex(end => end >= wanted)), span = ends[next] - ends[next - 1];
+  const t = span > 0 ? (wanted - ends[next - 1]) / span : 0;
+  const [p, q] = [at(line.first + next - 1), at(Math.min(line.last, line.first + next))];
+  return p.map((x, k) => x + t * (q[k] - x) - begin[k]);
+}
+
 // The k-th coordinate of a point of the lines, in steps.
 const stepsOf = (points, i, k) => points[4 * i + k] & STEPS;

@@ -15,6 +15,12 @@ function sizeIn(text) {
   return text.includes('\u00d7') ? Math.max(...numbers) : numbers[0];
 }
 
+// From red, for the smallest, over yellow to blue.
+function tint(part) {
+  const stops = [[190, 20, 40], [235, 180, 40], [40, 90, 190]], at = 2 * part, i = Math.min(1, Math.floor(at));
+  return stops[i].map((c, k) => Math.round(c + (at - i) * (stops[i + 1][k] - c)));
+}
+
 class Page {
   constructor(viewer) {
     this.viewer = viewer;
@@ -23,8 +29,9 @@ class Page {
     scene.lines.forEach((line, i) => this.rows[line.row]?.lines.push(i));
     this.groupsShown = scene.groups.map(() => true);
     this.lit = -1;
-    this.lengths = [...new Set(scene.lengths)].sort((a, b) => a - b);
-    this.range = [0, this.lengths.length - 1];
+    this.scales = [{ name: 'length', values: scene.lengths }, ...scene.scales];
+    this.isColoured = false;
+    this.choose(0);
     this.makeTable();
     this.makeControls();
     this.listenToPointers();
@@ -35,9 +42,24 @@ class Page {
 
   // ---- what is shown
 
+  // By what rows are hidden. What is not known is shown as long as all is.
+  choose(number) {
+    this.values = this.scales[number].values;
+    this.lengths = [...new Set(this.values.filter(v => v !== null))].sort((a, b) => a - b);
+    this.range = [0, this.lengths.length - 1];
+  }
+
   isShown(row) {
-    const length = scene.lengths[row.index];
-    return length >= this.lengths[this.range[0]] && length <= this.lengths[this.range[1]];
+    const value = this.values[row.index], [first, last] = this.range;
+    if (value === null)
+      return first === 0 && last === this.lengths.length - 1;
+    return value >= this.lengths[first] && value <= this.lengths[last];
+  }
+
+  // Evenly over the values that there are; grey where none is known.
+  colourOf(row) {
+    const value = this.values[row.index], last = Math.max(1, this.lengths.length - 1);
+    return value === null ? [140, 140, 140] : tint(this.lengths.indexOf(value) / last);
   }
 
   refresh() {
@@ -48,7 +70,8 @@ class Page {
                     (line.surface ?? this.viewer.shown) === this.viewer.shown;
       count += shown ? 1 : 0;
       const state = !shown ? 0 : row && row.index === this.lit ? 255 : 128;
-      return [...(line.colour || scene.groups[line.group].colour), state];
+      const own = line.colour || scene.groups[line.group].colour;
+      return [...(this.isColoured && row ? this.colourOf(row) : own), state];
     });
     this.viewer.numberShown = count;
     this.viewer.isAnyLit = this.lit >= 0;
@@ -206,6 +229,8 @@ class Page {
       viewer.cut.flipped = element('axis').value >= 4;
       viewer.draw();
     };
+    this.makeScales();
+    this.makeBalls();
     this.makeRange();
     element('reset').onclick = () => this.reset();
     element('save').onclick = () => this.save();
@@ -217,14 +242,41 @@ class Page {
     };
   }
 
+  makeScales() {
+    const choice = element('scale'), box = element('colours').querySelector('input');
+    choice.append(...this.scales.map(({ name }, i) => made('option', { value: i, textContent: name })));
+    choice.onchange = () => {
+      this.choose(Number(choice.value));
+      this.makeRange();
+      this.refresh();
+    };
+    box.onchange = () => {
+      this.isColoured = box.checked;
+      this.refresh();
+    };
+    for (const node of [choice.previousElementSibling, choice, element('colours')])
+      node.hidden = this.scales.length < 2;
+  }
+
+  // Lines that have a way are moved along it, from its first point.
+  makeBalls() {
+    const { viewer } = this, balls = scene.lines.filter(line => line.way !== undefined);
+    const home = balls.length > 0 ? viewer.lines.points.slice() : null;
+    document.querySelectorAll('.ball').forEach(node => { node.hidden = balls.length === 0; });
+    element('ball').oninput = () => {
+      const part = Number(element('ball').value) / 1000;
+      for (const ball of balls)
+        viewer.shiftLine(ball, home, placeOn(home, scene.lines[ball.way], part, viewer.scale));
+      viewer.refillLines();
+    };
+  }
+
   makeRange() {
     const last = this.lengths.length - 1, ends = ['shortest', 'longest'].map(element);
     const show = () => ends.forEach((end, i) => {
-      element(`${end.id}-value`).textContent = Number(this.lengths[this.range[i]]).toPrecision(4);
+      element(`${end.id}-value`).textContent = last < 0 ? '' : Number(this.lengths[this.range[i]]).toPrecision(4);
     });
-    element('range').hidden = last < 1;
-    if (last < 1)
-      return;
+    element('range').hidden = last < 1 && this.scales.length < 2;
     ends.forEach((end, i) => {
       Object.assign(end, { min: 0, max: last, value: this.range[i] });
       end.oninput = () => {

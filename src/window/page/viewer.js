@@ -114,6 +114,23 @@ class Viewer {
     return { texture, count };
   }
 
+  // By steps from where its points were.
+  shiftLine(line, home, shift) {
+    for (let i = line.first; i <= line.last; ++i)
+      for (let k = 0; k < 3; ++k) {
+        const place = Math.max(0, Math.min(STEPS, Math.round(stepsOf(home, i, k) + shift[k])));
+        this.lines.points[4 * i + k] = home[4 * i + k] - stepsOf(home, i, k) + place;
+      }
+  }
+
+  refillLines() {
+    for (const [detail, points] of [['full', this.lines.points], ['coarse', coarseLines(this.lines.points)]]) {
+      this.gl.deleteTexture(this.lines[detail].texture);
+      this.lines[detail] = this.pointTexture(points);
+    }
+    this.draw();
+  }
+
   pointOfLine(i) {
     return [0, 1, 2].map(k => stepsOf(this.lines.points, i, k) * this.scale[k] + this.shift[k]);
   }

@@ -1,0 +1,76 @@
+"""How thick handles are, and how wide their holes."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional
+
+import numpy as np
+
+from . import _core
+from ._arguments import real_or_none, threads_of
+from ._loops import Loops, record_of
+from ._meshes import arrays
+from ._waiting import computed
+
+
+class Balls:
+    """The largest balls that can be led along closed curves, one for each pair; NaN where none is known."""
+
+    def __init__(self, record: Dict[str, Any]):
+        known = np.array([len(curve) > 0 for curve in record["curves"]], dtype=bool)
+        self.diameters: np.ndarray = np.where(known, record["diameters"], np.nan)  #: (g,), in the unit of the mesh
+        self.errors: np.ndarray = np.where(known, record["errors"], np.nan)  #: (g,): the true one is within it
+        self.throats: np.ndarray = np.where(known[:, None], record["throats"], np.nan)  #: (g, 3): the least room
+        self.curves: List[np.ndarray] = record["curves"]  #: (k, 3) each: where the centres go
+
+
+class Measures:
+    """How thick handles are, and how wide their holes, in the order of the pairs."""
+
+    def __init__(self, record: Dict[str, Any]):
+        self.thickness = Balls(record["thickness"])  #: of balls around a handle, in the material
+        self.clear_width = Balls(record["clear_width"])  #: of balls through its hole
+        self.why: List[str] = record["why"]  #: why one is missing; empty if none is
+
+    def __len__(self) -> int:
+        return len(self.why)
+
+    @property
+    def noise(self) -> np.ndarray:
+        """(g,): the smaller one, as far as they are known."""
+        return np.fmin(self.thickness.diameters, self.clear_width.diameters)
+
+    def columns(self) -> Dict[str, np.ndarray]:
+        """Each number in a column of its own, as pandas takes it: ``pandas.DataFrame(M.columns())``."""
+        columns: Dict[str, np.ndarray] = {"pair": np.arange(len(self))}
+        for name, place, balls in (
+            ("thickness", "thickness", self.thickness),
+            ("clear_width", "throat", self.clear_width),
+        ):
+            columns[name] = balls.diameters
+            columns[f"{name}_error"] = balls.errors
+            columns.update({f"{place}_{axis}": balls.throats[:, k] for k, axis in enumerate("xyz")})
+        columns["why"] = np.array(self.why, dtype=object)
+        return columns
+
+
+def measure(
+    V: Any,
+    F: Any = None,
+    L: Optional[Loops] = None,
+    precision: float = 0.01,
+    threads: Optional[int] = 0,
+) -> Measures:
+    """How thick each handle is, and how wide its hole, given the loops of a mesh.
+
+    ``measure(mesh, L)`` takes one mesh object. Each number is right up to `precision`, as a part of it; the
+    bound of the error comes with it.
+    """
+    if isinstance(F, Loops):
+        F, L = None, F
+    value = real_or_none("precision", precision)
+    if value is None or not 0.001 <= value <= 0.2:
+        raise ValueError("precision is from 0.001 to 0.2")
+    return Measures(
+        computed("measure", None, _core.measure, *arrays(V, F), record_of(L), value, threads_of(threads))
+    )
