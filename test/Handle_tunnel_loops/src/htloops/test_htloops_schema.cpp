@@ -156,6 +156,21 @@ TEST_F(Loops_schema, fits_bores_and_shapes) {
                           [](json& d) { d["pairs"][0]["handle"]["shape"].erase("normal"); }});
 }
 
+TEST_F(Loops_schema, fits_measures) {
+  const Mesh mesh = bored_mesh();
+  Answer answer = solved(mesh);
+  answer.measures.resize(1);
+  answer.measures[0].clear_width = Ball{2., 0.01, Point(0., 0., 0.5), {Point(0., 0., 0.5)}};
+  answer.measures[0].why = "unknown";
+  const json document = written(mesh, answer);
+  schema_.expect_fits(document);
+  EXPECT_EQ(document["pairs"][0]["clear_width"]["diameter"], 2.);
+  EXPECT_FALSE(document["pairs"][0].contains("thickness"));
+  EXPECT_EQ(document["pairs"][0]["not_measured_because"], "unknown");
+  schema_.expect_refuses(document, {[](json& d) { d["pairs"][0]["clear_width"].erase("error"); },
+                                    [](json& d) { d["pairs"][0]["clear_width"]["throat"] = 1.; }});
+}
+
 TEST_F(Loops_schema, fits_what_is_not_known) {
   const Mesh mesh = small_mesh();
   Answer answer = small_answer(mesh);
