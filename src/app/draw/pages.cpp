@@ -64,11 +64,11 @@ htl_window::Surface surface_of(const std::string& name, const Drawn_surface& sur
 
 // Three great circles.
 std::vector<Point> circles_of(const Ball& ball) {
-  constexpr int sides = 32;
+  constexpr int corners = 32;
   std::vector<Point> points;
   for(int axis = 0; axis < 3; ++axis)
-    for(int i = 0; i <= sides; ++i) {
-      const double angle = 2. * CGAL_PI * i / sides;
+    for(int i = 0; i <= corners; ++i) {
+      const double angle = 2. * CGAL_PI * i / corners;
       std::array<double, 3> p = {0., 0., 0.};
       p[static_cast<std::size_t>(axis)] = ball.diameter / 2. * std::cos(angle);
       p[static_cast<std::size_t>((axis + 1) % 3)] = ball.diameter / 2. * std::sin(angle);

@@ -1,0 +1,33 @@
+# The chapters on measures: their commands do what the manual says, one after the other.
+include("${CMAKE_CURRENT_LIST_DIR}/run_htloops.cmake")
+
+file(READ "${CMAKE_CURRENT_LIST_DIR}/../../doc/Handle_tunnel_loops/Handle_tunnel_loops.txt" manual)
+string(FIND "${manual}" "\\section HTLMeasures " begin)
+string(SUBSTRING "${manual}" ${begin} -1 manual)
+string(FIND "${manual}" "\\section HTLGuarantees " end)
+string(SUBSTRING "${manual}" 0 ${end} manual)
+string(REGEX MATCHALL "\nhtloops [^\n]*" commands "${manual}")
+list(LENGTH commands count)
+if(count LESS 9)
+  message(SEND_ERROR "the chapters on measures have but ${count} commands")
+endif()
+foreach(command IN LISTS commands)
+  string(REGEX REPLACE "^\nhtloops " "" command "${command}")
+  separate_arguments(arguments UNIX_COMMAND "${command}")
+  run(0 ${arguments})
+endforeach()
+
+# What the chapters say of the files.
+file(STRINGS "${FOLDER}/casting.csv" rows)
+list(LENGTH rows count)
+expect_equal("${count}" 6) # a header, and five bores
+list(GET rows 0 header)
+expect_match("${header}" "diameter.*thickness.*clear_width.*throat_x,throat_y,throat_z")
+file(READ "${FOLDER}/channels.json" channels)
+string(JSON count LENGTH "${channels}" pairs)
+expect_equal("${count}" 4)
+foreach(member IN ITEMS diameter error throat way)
+  string(JSON ignored GET "${channels}" pairs 0 clear_width ${member})
+endforeach()
+run(0 loops clean.off)
+expect_match("${output}" "genus 1")

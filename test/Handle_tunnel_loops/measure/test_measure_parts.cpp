@@ -1,0 +1,210 @@
+// What measures are made of, against brute force.
+
+#include "Gauss_linking.h"
+
+#include "generators/Random.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace test_measure_parts {
+
+namespace impl = CGAL::Handle_tunnel_loops::internal;
+using CGAL::Handle_tunnel_loops::generators::Random;
+using impl::Index;
+using impl::Linking_row;
+using impl::operator-;
+using impl::operator+;
+using impl::operator*;
+
+Linking_row random_row(std::size_t width, Random& random) {
+  Linking_row row;
+  for(Index i = 0; i < width; ++i)
+    if(const int x = static_cast<int>(random.below(7)) - 3; x != 0 && random.below(2) == 0)
+      row.emplace_back(i, x);
+  return row;
+}
+
+std::size_t rank_of(std::vector<std::vector<double>> rows) {
+  std::size_t rank = 0;
+  for(std::size_t column = 0; !rows.empty() && column < rows[0].size(); ++column)
+    for(std::size_t r = rank; r < rows.size(); ++r)
+      if(std::abs(rows[r][column]) > 1e-6) {
+        std::swap(rows[r], rows[rank]);
+        for(std::size_t k = rank + 1; k < rows.size(); ++k) {
+          const double factor = rows[k][column] / rows[rank][column];
+          for(std::size_t c = 0; c < rows[k].size(); ++c)
+            rows[k][c] -= factor * rows[rank][c];
+        }
+        ++rank;
+        break;
+      }
+  return rank;
+}
+
+TEST(Linking_rank, IsThatOfTheMatrix) {
+  Random random(1);
+  for(int i = 0; i < 300; ++i) {
+    const std::size_t width = 1 + random.below(6);
+    impl::Linking_rank rank;
+    std::vector<std::vector<double>> dense;
+    for(int k = 0; k < 8; ++k) {
+      const Linking_row row = random_row(width, random);
+      dense.emplace_back(width, 0.);
+      for(const auto& [loop, number] : row)
+        dense.back()[loop] = number;
+      const std::size_t before = rank.size();
+      const bool is_new = rank.add(row);
+      EXPECT_EQ(is_new, rank.size() > before);
+      EXPECT_EQ(rank.size(), rank_of(dense));
+    }
+  }
+}
+
+// Whether the cycles from a number on can have loops of their own that are not taken.
+bool can_be_matched(const std::vector<Linking_row>& rows,
+                    std::size_t from,
+                    std::vector<char> taken) {
+  if(from == rows.size())
+    return true;
+  for(const auto& entry : rows[from])
+    if(taken[entry.first] == 0) {
+      std::vector<char> more = taken;
+      more[entry.first] = 1;
+      if(can_be_matched(rows, from + 1, more))
+        return true;
+    }
+  return false;
+}
+
+TEST(Paired_cycles, TakeTheShortestThatLeavesTheOthersWhatTheyNeed) {
+  Random random(2);
+  int matched = 0;
+  for(int i = 0; i < 500; ++i) {
+    const std::size_t n = 1 + random.below(6);
+    std::vector<Linking_row> rows;
+    std::vector<double> lengths;
+    for(std::size_t k = 0; k < n; ++k) {
+      rows.push_back(random_row(n, random));
+      lengths.push_back(random.uniform(1., 2.));
+    }
+    std::vector<char> taken(n, 0);
+    if(!can_be_matched(rows, 0, taken))
+      continue;
+    ++matched;
+    std::vector<const Linking_row*> pointers;
+    for(const Linking_row& row : rows)
+      pointers.push_back(&row);
+    const std::vector<Index> found = impl::Paired_cycles(pointers, lengths, 1).partners();
+    for(std::size_t c = 0; c < n; ++c) {
+      Index best = impl::no_index;
+      for(const auto& entry : rows[c])
+        if(taken[entry.first] == 0) {
+          std::vector<char> more = taken;
+          more[entry.first] = 1;
+          if(can_be_matched(rows, c + 1, more) &&
+             (best == impl::no_index || lengths[entry.first] < lengths[best]))
+            best = entry.first;
+        }
+      EXPECT_EQ(found[c], best);
+      taken[best] = 1;
+    }
+  }
+  EXPECT_GT(matched, 50);
+}
+
+TEST(Paired_cycles, OfOnePairTakeWhatIsLeft) {
+  const Linking_row both = {{0, 1}, {1, 2}};
+  const std::vector<Index> found =
+      impl::Paired_cycles({&both, &both}, {1., 1., 1., 1.}, 2).partners();
+  EXPECT_EQ(found, (std::vector<Index>{0, 1}));
+}
+
+std::vector<impl::Vector> random_points(std::size_t n, Random& random) {
+  std::vector<impl::Vector> points(n);
+  for(impl::Vector& p : points)
+    for(double& x : p)
+      x = random.uniform(0., 1.);
+  return points;
+}
+
+TEST(Voronoi_graph, HasBallsThatHoldNoPoint) {
+  Random random(3);
+  for(const std::size_t n : {4u, 30u, 200u}) {
+    std::vector<impl::Vector> points = random_points(n, random);
+    if(n == 200) // on a grid, so that many are on one sphere
+      for(impl::Vector& p : points)
+        for(double& x : p)
+          x = std::round(4. * x) / 4.;
+    impl::Voronoi_graph graph({0., 0., 0.}, {1., 1., 1.});
+    graph.insert(points, 0);
+    graph.build(impl::Execution());
+    const auto distance = [&](const impl::Vector& p) {
+      double least = std::numeric_limits<double>::infinity();
+      for(const impl::Vector& q : points)
+        least = (std::min)(least, impl::norm(p - q));
+      return least;
+    };
+    for(const auto& edge : graph.edges) {
+      const auto &a = graph.nodes[edge.nodes[0]], &b = graph.nodes[edge.nodes[1]];
+      double least = std::numeric_limits<double>::infinity();
+      for(int k = 0; k <= 64; ++k)
+        least = (std::min)(least, distance((1. - k / 64.) * a.place + (k / 64.) * b.place));
+      EXPECT_LE(edge.radius, least * (1. + 1e-5) + 1e-9); // points of the frame may be nearer
+      const bool is_by_frame = (std::max)(a.radius, b.radius) >= 2.;
+      EXPECT_TRUE(is_by_frame ||
+                  edge.radius >= least - impl::norm(a.place - b.place) / 64. - 1e-5);
+    }
+  }
+}
+
+TEST(Linked_segments, AddUpToLinkingNumbers) {
+  Random random(4);
+  int linked_ones = 0;
+  for(int i = 0; i < 200; ++i) {
+    const std::vector<std::vector<impl::Vector>> loops = {random_points(6, random),
+                                                          random_points(9, random)};
+    const std::vector<impl::Vector> curve = random_points(8, random);
+    const impl::Linked_segments linked(impl::Execution(), loops);
+    Linking_row row;
+    std::uint64_t name = 0;
+    for(std::size_t k = 0; k < curve.size(); ++k) {
+      linked.add(curve[k], curve[(k + 1) % curve.size()], row);
+      name += linked.name(curve[k], curve[(k + 1) % curve.size()]);
+    }
+    impl::add_up(row);
+    EXPECT_EQ(name, linked.name(row));
+    EXPECT_EQ(name == 0, row.empty());
+    int sign = 0; // of a convention
+    for(Index l = 0; l < loops.size(); ++l) {
+      const int expected = static_cast<int>(std::lround(
+          linking_number({curve.begin(), curve.end()}, {loops[l].begin(), loops[l].end()})));
+      const auto entry =
+          std::find_if(row.begin(), row.end(), [&](const auto& e) { return e.first == l; });
+      const int number = entry == row.end() ? 0 : entry->second;
+      EXPECT_EQ(std::abs(number), std::abs(expected));
+      if(expected != 0) {
+        ++linked_ones;
+        const int same = number == expected ? 1 : -1;
+        EXPECT_TRUE(sign == 0 || sign == same);
+        sign = same;
+      }
+    }
+  }
+  EXPECT_GT(linked_ones, 20);
+}
+
+} // namespace test_measure_parts
