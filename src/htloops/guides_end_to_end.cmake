@@ -11,6 +11,8 @@ list(LENGTH commands count)
 if(count LESS 9)
   message(SEND_ERROR "the chapters on measures have but ${count} commands")
 endif()
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/../../examples/Handle_tunnel_loops/data/drilled_part.off"
+  DESTINATION "${FOLDER}")
 foreach(command IN LISTS commands)
   string(REGEX REPLACE "^\nhtloops " "" command "${command}")
   separate_arguments(arguments UNIX_COMMAND "${command}")
@@ -18,7 +20,7 @@ foreach(command IN LISTS commands)
 endforeach()
 
 # What the chapters say of the files.
-file(STRINGS "${FOLDER}/casting.csv" rows)
+file(STRINGS "${FOLDER}/bores.csv" rows)
 list(LENGTH rows count)
 expect_equal("${count}" 6) # a header, and five bores
 list(GET rows 0 header)
@@ -26,7 +28,7 @@ expect_match("${header}" "diameter.*thickness.*clear_width.*throat_x,throat_y,th
 file(READ "${FOLDER}/channels.json" channels)
 string(JSON count LENGTH "${channels}" pairs)
 expect_equal("${count}" 4)
-foreach(member IN ITEMS diameter error throat way)
+foreach(member IN ITEMS diameter error throat curve)
   string(JSON ignored GET "${channels}" pairs 0 clear_width ${member})
 endforeach()
 run(0 loops clean.off)

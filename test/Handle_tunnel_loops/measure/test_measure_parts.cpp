@@ -165,8 +165,7 @@ TEST(Voronoi_graph, HasBallsThatHoldNoPoint) {
         least = (std::min)(least, distance((1. - k / 64.) * a.place + (k / 64.) * b.place));
       EXPECT_LE(edge.radius, least * (1. + 1e-5) + 1e-9); // points of the frame may be nearer
       const bool is_by_frame = (std::max)(a.radius, b.radius) >= 2.;
-      EXPECT_TRUE(is_by_frame ||
-                  edge.radius >= least - impl::norm(a.place - b.place) / 64. - 1e-5);
+      EXPECT_TRUE(is_by_frame || edge.radius >= least - impl::norm(a.place - b.place) / 64. - 1e-5);
     }
   }
 }

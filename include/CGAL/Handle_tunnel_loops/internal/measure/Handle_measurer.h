@@ -221,12 +221,15 @@ private:
   }
 
   void refine_at(const std::vector<Narrow_place>& places, double radius, double part) {
-    constexpr double part_of_distance = 0.35, much = 1.5;
+    constexpr double part_of_distance = 0.35, much = 1.5, wide_reach = 6., largest_side = 0.8;
     const double reach = 1.1 * std::pow(1.25, (std::min)(effort_, 4));
-    for(const Narrow_place& n : places)
+    for(const Narrow_place& n : places) {
+      const bool is_tight = n.distance < much * radius;
       requests_.push_back(
-          {n.place, reach * n.distance,
-           n.distance < much * radius ? part * radius : part_of_distance * n.distance});
+          {n.place, reach * n.distance, is_tight ? part * radius : part_of_distance * n.distance});
+      if(is_tight) // no ball of that radius is to slip through farther away, either
+        requests_.push_back({n.place, wide_reach * reach * n.distance, largest_side * radius});
+    }
   }
 
   // Of a ball that passes through a loop, unless that is far from plane.
@@ -251,7 +254,7 @@ private:
     const auto last = std::find_if(trials_.rbegin(), trials_.rend(),
                                    [](const Trial& trial) { return !trial.narrow.empty(); });
     if(last != trials_.rend()) {
-      see_surface(graph, (1. - gap_) * most_[static_cast<std::size_t>(trials_.rend() - last) - 1]);
+      see_surface(graph, least_seen * most_[static_cast<std::size_t>(trials_.rend() - last) - 1]);
       std::vector<Widest_cycle> others =
           Widest_cycles(execution_, graph, linked_).find(loops_.size());
       if(others.size() == cycles_.size())
@@ -291,6 +294,9 @@ private:
       trial.narrow.push_back({cycle.balls.front().place, cycle.balls.front().radius});
   }
 
+  // A way between points that are far apart may lead through narrow ones, beside which there is
+  // room.
+  static constexpr double least_seen = 0.5;
   static constexpr double about = 0.97; // to choose by, clearances are known so well
 
   // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
@@ -428,13 +434,22 @@ private:
     connect(to, divisions - 1, edge, cycle, radius, trial);
   }
 
+  // A place where there is no room, and the balls around: between points that are too far apart
+  // they are too large.
   static void
   add_narrow(const Vector& p, const Edge& edge, const Widest_cycle& cycle, Trial& trial) {
     double distance = cycle.radius;
     for(const Voronoi_graph::Node* end : edge)
       distance = (std::max)(distance, end->radius - norm(p - end->place));
-    if(trial.narrow.empty() || norm(p - trial.narrow.back().place) > 0.5 * distance)
-      trial.narrow.push_back({p, distance});
+    add_narrow({p, distance}, trial);
+    for(const Voronoi_graph::Node* end : edge)
+      add_narrow({end->place, end->radius}, trial);
+  }
+
+  static void add_narrow(const Narrow_place& narrow, Trial& trial) {
+    if(trial.narrow.empty() ||
+       norm(narrow.place - trial.narrow.back().place) > 0.5 * narrow.distance)
+      trial.narrow.push_back(narrow);
   }
 
   bool is_of_class(const std::vector<Vector>& curve, const Linking_row& wanted) const {
