@@ -66,7 +66,8 @@ Where the surface, with its caps, touches or crosses itself, there is no inside,
 measured; `Handle_measures::why` says so.
 
 The time is \f$ O(n \log n) \f$ for \f$ n \f$ vertices and points on the surface, of which there are
-the more the larger faces are against the width of what is measured, times a few rounds; memory is
+the more the larger faces are against the width of what is measured, times a few rounds, bounded by
+a multiple of the number of vertices; memory is
 \f$ O(n) \f$, about a kilobyte for each of them.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are

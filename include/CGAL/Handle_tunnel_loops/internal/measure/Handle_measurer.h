@@ -89,6 +89,7 @@ public:
     points_.set_most(points_.points().size() + points_per_vertex * places_ + more_points);
     Voronoi_graph graph(box_.low, box_.high);
     std::size_t inserted = 0;
+    std::size_t work = 0; // points of all rounds
     int rounds = 0;
     do {
       graph.insert(points_.points(), std::exchange(inserted, points_.points().size()));
@@ -96,7 +97,8 @@ public:
       find_cycles(graph);
       ++rounds;
       refine(inserted);
-    } while(points_.points().size() > inserted);
+      work += inserted;
+    } while(points_.points().size() > inserted && is_worth(work));
     Flat_measures measures = assign();
     measures.number_of_points = points_.points().size();
     measures.number_of_rounds = rounds;
@@ -108,7 +110,8 @@ private:
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
   static constexpr std::size_t most_at_first = 20000;
   static constexpr int most_divisions = 5;
-  static constexpr std::size_t points_per_vertex = 3, more_points = 150000;
+  static constexpr std::size_t work_per_vertex = 5, more_work = 400000;
+  static constexpr std::size_t points_per_vertex = 3, more_points = 100000;
 
   /// A place at which a ball does not fit, and the distance of the points around, or less.
   struct Narrow_place
@@ -176,6 +179,14 @@ private:
       for(int k = 0; k < n; ++k)
         f(k == 0 ? a : (1. - double(k) / n) * a + (double(k) / n) * b);
     }
+  }
+
+  // Whether to go on: until bounds agree, the longer where there is but one.
+  bool is_worth(std::size_t work) const {
+    const std::size_t most = work_per_vertex * places_ + more_work;
+    return work < most ||
+           (work < 2 * most &&
+            std::any_of(trials_.begin(), trials_.end(), [](const Trial& t) { return !t.is_wide; }));
   }
 
   // More effort where little came of it.
