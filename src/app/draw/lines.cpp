@@ -98,13 +98,28 @@ Exported_lines lines_of(const Pairs& pairs) {
   return result;
 }
 
+namespace {
+
+// What is measured; or else the diameter, which is that of one of the loops.
+void add_remarks(const Listed_pair& listed, Exported_line& handle, Exported_line& tunnel) {
+  const bool is_of_handle = listed.diameter.of == std::string(name_of(Loop_type::HANDLE));
+  if(!listed.measure || listed.diameter.bore)
+    (is_of_handle ? handle : tunnel).remark = ": d = " + three_digits(listed.diameter.value);
+  if(!listed.measure)
+    return;
+  if(const auto& ball = listed.measure->thickness)
+    handle.remark = ": " + three_digits(ball->diameter) + " thick";
+  if(const auto& ball = listed.measure->clear_width; ball && !listed.diameter.bore)
+    tunnel.remark = ": " + three_digits(ball->diameter) + " wide";
+}
+
+} // namespace
+
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
   for(const Listed_pair& listed : listing) {
     add_lines(result, answer.pairs[listed.pair], listed.pair);
-    const bool is_of_handle = listed.diameter.of == std::string(name_of(Loop_type::HANDLE));
-    Exported_line& measured = result.lines[result.lines.size() - (is_of_handle ? 2 : 1)];
-    measured.remark = ": d = " + three_digits(listed.diameter.value);
+    add_remarks(listed, result.lines[result.lines.size() - 2], result.lines.back());
   }
   const auto add = [&result](const std::vector<Loop>& loops, const auto& colour, const char* kind,
                              int number) {
