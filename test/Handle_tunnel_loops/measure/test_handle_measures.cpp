@@ -219,6 +219,18 @@ TEST(Handle_measures, AreFinerWhereThatIsAskedFor) {
   }
 }
 
+TEST(Handle_measures, AreOfTheSizeOfTheMesh) {
+  const Soup soup = frame(10., 4., 3.);
+  const Measures unit = measures_of(mesh_of(soup));
+  for(const double scale : {1e-300, 1e-150, 1e-20, 1e20, 1e150, 1e300}) {
+    const Measures measures = measures_of(mesh_of(transformed(soup, scale, 0.)));
+    ASSERT_EQ(measures.size(), 1u);
+    ASSERT_TRUE(measures[0].thickness && measures[0].clear_width);
+    EXPECT_NEAR(measures[0].thickness->diameter / scale, unit[0].thickness->diameter, 0.05);
+    EXPECT_NEAR(measures[0].clear_width->diameter / scale, unit[0].clear_width->diameter, 0.1);
+  }
+}
+
 // ---- of the shape alone
 
 TEST(Handle_measures, AreTheSameTurnedAndRenumberedAndInAnyNumberOfThreads) {
