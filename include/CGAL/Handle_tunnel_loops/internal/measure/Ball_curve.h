@@ -24,6 +24,13 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+inline double closed_length(const std::vector<Vector>& points) {
+  double sum = 0.;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    sum += norm(points[i + 1 < points.size() ? i + 1 : 0] - points[i]);
+  return sum;
+}
+
 /*!
 A closed curve along which a ball of a given radius fits, made short: points are left out where the
 straight way is free for the ball and passes the same curtains. The first point stays.
@@ -44,10 +51,10 @@ public:
   std::vector<Vector> tightened() {
     constexpr int most_rounds = 4;
     constexpr double least_gain = 0.005;
-    double length = length_of_curve();
+    double length = closed_length(points_);
     for(int round = 0; round < most_rounds; ++round) {
       leave_out();
-      const double shorter = length_of_curve();
+      const double shorter = closed_length(points_);
       if(round > 0 && shorter > (1. - least_gain) * length)
         break;
       length = shorter;
@@ -59,13 +66,6 @@ public:
 
 private:
   const Vector& at(std::size_t i) const { return points_[i == points_.size() ? 0 : i]; }
-
-  double length_of_curve() const {
-    double sum = 0.;
-    for(std::size_t i = 0; i < points_.size(); ++i)
-      sum += norm(at(i + 1) - at(i));
-    return sum;
-  }
 
   void leave_out() {
     names_.assign(1, 0);

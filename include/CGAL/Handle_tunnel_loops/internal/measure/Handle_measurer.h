@@ -72,7 +72,7 @@ public:
     for(const Vector& p : places)
       points_.add(p);
     for(const auto& loop : loops_)
-      lengths_.push_back(length_of(loop));
+      lengths_.push_back(closed_length(loop));
     places_ = places.size();
     find_extent();
   }
@@ -90,19 +90,14 @@ public:
     Voronoi_graph graph(box_.low, box_.high);
     std::size_t inserted = 0;
     std::size_t work = 0; // points of all rounds
-    int rounds = 0;
     do {
       graph.insert(points_.points(), std::exchange(inserted, points_.points().size()));
       graph.build(execution_);
       find_cycles(graph);
-      ++rounds;
       refine(inserted);
       work += inserted;
     } while(points_.points().size() > inserted && is_worth(work));
-    Flat_measures measures = assign();
-    measures.number_of_points = points_.points().size();
-    measures.number_of_rounds = rounds;
-    return measures;
+    return assign();
   }
 
 private:
@@ -134,13 +129,6 @@ private:
     for(const Polyline_pair& pair : pairs)
       loops.insert(loops.end(), pair.begin(), pair.end());
     return loops;
-  }
-
-  static double length_of(const std::vector<Vector>& loop) {
-    double sum = 0.;
-    for(std::size_t i = 0; i < loop.size(); ++i)
-      sum += norm(loop[i + 1 < loop.size() ? i + 1 : 0] - loop[i]);
-    return sum;
   }
 
   void find_extent() {
@@ -390,6 +378,8 @@ private:
       return best;
     }
     for(const double part : {2., 4., 8., 16., 32., 48.}) {
+      if(part * gap_ >= 1.)
+        break;
       Trial trial = try_part(part);
       if(trial.is_wide) {
         trial.narrow = std::move(best.narrow);
@@ -518,10 +508,26 @@ private:
     const Paired_cycles paired(rows, lengths_, 2);
     for(std::size_t k = 0; k < chosen.size(); ++k)
       if(const Index pair = paired.partners()[k]; pair != no_index) {
-        const double most = most_[chosen[k]], least = trials_[chosen[k]].radius;
+        const double most = most_on_side(side, inside, chosen.size() - k),
+                     least = trials_[chosen[k]].radius;
         auto& ball = inside != 0 ? measures.pairs[pair].inside : measures.pairs[pair].outside;
         ball = Flat_ball{0.5 * (most + least), 0.5 * (most - least), std::move(curves[chosen[k]])};
       }
+  }
+
+  // The radius of the rank-th cycle on a side at most: just above it there is no place for so many,
+  // beside those that are known to be on the other side.
+  double most_on_side(const std::vector<int>& side, int inside, std::size_t rank) const {
+    const auto others = [&](double radius) {
+      std::size_t count = 0;
+      for(std::size_t k = 0; k < side.size(); ++k)
+        count += side[k] == 1 - inside && trials_[k].radius > radius ? 1 : 0;
+      return count;
+    };
+    std::size_t i = most_.size() - 1;
+    while(i > 0 && i >= others(most_[i]) + rank)
+      --i;
+    return most_[i];
   }
 
   Execution execution_;

@@ -42,9 +42,7 @@ struct Flat_measures
     std::optional<Flat_ball> inside, outside;
   };
   std::vector<Pair> pairs;
-  std::string why;                  ///< something is missing; empty if nothing is
-  std::size_t number_of_points = 0; ///< on the surface
-  int number_of_rounds = 0;
+  std::string why; ///< something is missing; empty if nothing is
 };
 
 /// A handle loop and its tunnel loop, as closed polylines.
