@@ -21,3 +21,4 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel_impl.h>
+#include <CGAL/Handle_tunnel_loops/internal/throats/find_throats_impl.h>

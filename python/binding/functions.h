@@ -22,6 +22,7 @@ void add_loops(pybind11::module_& module);
 void add_reeb(pybind11::module_& module);
 void add_skeleton(pybind11::module_& module);
 void add_surgery(pybind11::module_& module);
+void add_throats(pybind11::module_& module);
 
 } // namespace htl_python
 

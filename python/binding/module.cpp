@@ -51,4 +51,5 @@ PYBIND11_MODULE(_core, module) {
   htl_python::add_reeb(module);
   htl_python::add_skeleton(module);
   htl_python::add_surgery(module);
+  htl_python::add_throats(module);
 }

@@ -24,6 +24,7 @@ Functions
     loops           the handle and tunnel loops of a mesh
     measure         how thick handles are, and how wide their holes
     certify         what has been proved of loops
+    throats         all narrow places of a mesh
     curve_skeleton  lines in the middle of the solid inside a mesh, with radii and a proof
     reeb            the Reeb graph of a function on a mesh
     remove_handles  a mesh without some of its handles
@@ -50,6 +51,7 @@ from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
 from ._sources import generate, kinds, read, repair
 from ._surgery import DualCut, cut_to_disk, dual_cuts, remove_handles
 from ._survey import survey
+from ._throats import Throat, throats
 
 __version__ = _version.split()[1].rstrip(",")
 
@@ -65,6 +67,7 @@ __all__ = [
     "MeshError",
     "ReebGraph",
     "SkeletonCertificate",
+    "Throat",
     "certify",
     "curve_skeleton",
     "cut_to_disk",
@@ -79,4 +82,5 @@ __all__ = [
     "remove_handles",
     "repair",
     "survey",
+    "throats",
 ]

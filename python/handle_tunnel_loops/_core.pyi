@@ -37,6 +37,15 @@ def loops(
     time_budget: Optional[float],
     watch: Watch,
 ) -> _Record: ...
+def throats(
+    points: np.ndarray,
+    triangles: np.ndarray,
+    loops: _Record,
+    through: Sequence[int],
+    least_prominence: float,
+    threads: int,
+    watch: Watch,
+) -> _Record: ...
 def certify(
     points: np.ndarray, triangles: np.ndarray, loops: _Record, watch: Watch
 ) -> _Record: ...

@@ -9,6 +9,7 @@ set(HTLOOPS_APP_SOURCES
   solve/host_backend.cpp
   solve/reeb_solver.cpp
   solve/skeleton_solver.cpp
+  solve/throat_solver.cpp
   solve/removal_solver.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_APP_SOURCES solve/reference_backend.cpp)
@@ -56,7 +57,8 @@ list(APPEND HTLOOPS_APP_SOURCES
   write/mesh_writer.cpp
   write/pair_listing.cpp
   write/skeleton_formats.cpp
-  write/tables.cpp)
+  write/tables.cpp
+  write/throat_tables.cpp)
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES

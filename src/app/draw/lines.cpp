@@ -10,6 +10,7 @@
 #include "draw/lines.h"
 
 #include "write/tables.h"
+#include "write/throat_tables.h"
 
 namespace htloops {
 namespace {
@@ -98,6 +99,14 @@ Exported_lines lines_of(const Pairs& pairs) {
   return result;
 }
 
+Exported_lines lines_of(const Throats& throats) {
+  Exported_lines result = {"throats", "throat", {}};
+  for(const Throat& throat : throats.all)
+    result.lines.push_back({throat.loop.points(), true, colour_of(throat), "throat", 4,
+                            throat.loop.pair_index(), throat.loop.length()});
+  return result;
+}
+
 namespace {
 
 // What is measured; or else the diameter, which is that of one of the loops.
@@ -116,6 +125,8 @@ void add_remarks(const Listed_pair& listed, Exported_line& handle, Exported_line
 } // namespace
 
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
+  if(answer.throats.are_wanted)
+    return lines_of(answer.throats);
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
   for(const Listed_pair& listed : listing) {
     add_lines(result, answer.pairs[listed.pair], listed.pair);

@@ -56,9 +56,12 @@ struct Exported_lines
 /// the loops of pairs, which know their numbers; the kind of a handle is 0, that of a tunnel 1.
 Exported_lines lines_of(const Pairs& pairs);
 
-/// those of the listed pairs; and the boundary curves, of kind 2, and their waists, of kind 3, if
-/// there are any. In pictures only pairs are numbered, and the loop that the diameter of a handle
-/// is taken from says it.
+/// the throats, which know their numbers, of kind 4.
+Exported_lines lines_of(const Throats& throats);
+
+/// the throats if they were asked for; else the loops of the listed pairs, and the boundary curves,
+/// of kind 2, and their waists, of kind 3, if there are any. In pictures only pairs are numbered,
+/// and the loop that the diameter of a handle is taken from says it.
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
 
 /// throws `Failure` if the name of a file does not tell a format that lines can be written in.

@@ -14,6 +14,7 @@
 #include "draw/tints.h"
 #include "words.h"
 #include "write/files.h"
+#include "write/throat_tables.h"
 
 #include <CGAL/number_utils.h>
 
@@ -147,6 +148,25 @@ void add_group(htl_window::Scene& scene,
     add_line(scene, loop.points(), true, scene.groups.size() - 1);
 }
 
+// In place of pairs.
+void add_throats(htl_window::Scene& scene, const Throats& throats) {
+  for(const Table_column& column : throat_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(Loop_type::TUNNEL)},
+                  {"of other classes", colour_of(Loop_type::BOUNDARY)},
+                  {"that separate", colour_of_separating}};
+  for(const Throat& throat : throats.all) {
+    const std::size_t group = throat.is_separating                      ? 3
+                              : !throat.pair                            ? 2
+                              : throat.loop.type() == Loop_type::TUNNEL ? 1
+                                                                        : 0;
+    add_line(scene, throat.loop.points(), true, group, scene.table.rows.size());
+    scene.table.rows.push_back(cells_of(throats, throat));
+    scene.table.lengths.push_back(throat.loop.length());
+  }
+}
+
 // The numbers of groups are those of the kinds of bones. Arcs are told of in rows.
 void add_bones(htl_window::Scene& scene,
                const Exported_lines& bones,
@@ -265,8 +285,12 @@ htl_window::Scene scene_of_loops(const View& view,
   htl_window::Scene scene =
       scene_of(view, "Handle and tunnel loops of", mesh_file, "surface", drawn_surface(mesh));
   scene.paragraphs = lines_of(summary);
-  add_pairs(scene, answer.pairs, listing, choice);
-  add_balls(scene, answer.measures, listing);
+  if(answer.throats.are_wanted)
+    add_throats(scene, answer.throats);
+  else {
+    add_pairs(scene, answer.pairs, listing, choice);
+    add_balls(scene, answer.measures, listing);
+  }
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
   add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
   return scene;

@@ -13,6 +13,7 @@
 #include "mesh_types.h"
 
 #include "solve/boundaries.h"
+#include "solve/throat_solver.h"
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Handle_measures.h>
@@ -58,6 +59,7 @@ struct Answer
   Boundaries boundaries;
   Bores bores;
   Measures measures;
+  Throats throats;
   Statistics statistics;
   Vertex_layers vertex_layers;
   std::string backend;

@@ -13,6 +13,7 @@
 #include "write/files.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"
+#include "write/throat_tables.h"
 
 #include <CGAL/Handle_tunnel_loops/Loop_shape.h>
 
@@ -477,6 +478,10 @@ void write_loops_json(const std::string& target,
   out.array("boundaries", answer.boundaries.curves, [&](const Loop& curve) {
     return json_of(curve, on, json_of_waist(curve, answer.boundaries, on));
   });
+  if(answer.throats.are_wanted)
+    out.array("throats", answer.throats.all, [&](const Throat& throat) {
+      return json_of(throat.loop, on, json_of(answer.throats, throat));
+    });
   out.finish();
 }
 

@@ -11,22 +11,15 @@
 
 #include "write/documents.h"
 #include "write/tables.h"
+#include "write/throat_tables.h"
 
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace htloops {
 namespace {
-
-// A text as a cell.
-std::string cell_of(const std::string& text) {
-  if(text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
-}
 
 void write_sides(Text_writer& out, const Answer& answer, std::size_t pair) {
   const auto& linking = answer.certificate.linking;
@@ -35,11 +28,13 @@ void write_sides(Text_writer& out, const Answer& answer, std::size_t pair) {
 }
 
 // The cells between the name of the mesh and the error are a comma each, and one more.
-const std::size_t columns_before_error =
-    static_cast<std::size_t>(std::count(std::begin(pair_header), std::end(pair_header), ','));
+std::size_t columns_before_error(Row_kind kind) {
+  const std::string header = kind == Row_kind::THROATS ? throat_header : pair_header;
+  return static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
+}
 
 void write_pair_row(Text_writer& out, const Mesh_line& line, const Listed_pair& pair) {
-  out << cell_of(line.mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
+  out << as_cell(line.mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
       << pair.tunnel_length << ',' << pair.size;
   write_sides(out, line.answer, pair.pair);
   out << ',' << pair.centre.x() << ',' << pair.centre.y() << ',' << pair.centre.z();
@@ -69,7 +64,7 @@ void write_ball(Text_writer& out, const std::optional<Listed_ball>& ball) {
 void write_measure(Text_writer& out, const Listed_measure& measure) {
   write_ball(out, measure.thickness);
   write_ball(out, measure.clear_width);
-  out << ',' << cell_of(measure.why);
+  out << ',' << as_cell(measure.why);
 }
 
 Json json_of(const Listed_ball& ball) {
@@ -135,23 +130,34 @@ std::string padded(std::string name, int width) {
 
 } // namespace
 
-std::string header_of_rows(bool has_measures) {
-  return pair_header + std::string(has_measures ? measure_header : "") + "\n";
+std::string as_cell(const std::string& text) {
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
-void write_pair_rows(Text_writer& out, const Mesh_line& line, bool has_measures) {
+std::string header_of_rows(Row_kind kind) {
+  return (kind == Row_kind::THROATS ? throat_header : pair_header) +
+         std::string(kind == Row_kind::MEASURED_PAIRS ? measure_header : "") + "\n";
+}
+
+void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind) {
+  const std::size_t commas = columns_before_error(kind);
   const auto end_row = [&](const std::optional<Listed_measure>& measure) {
-    if(has_measures)
+    if(kind == Row_kind::MEASURED_PAIRS)
       write_measure(out, measure.value_or(Listed_measure()));
     out << '\n';
   };
+  const bool has_throats = kind == Row_kind::THROATS && !line.answer.throats.all.empty();
   if(line.exit_code != 0) {
-    out << cell_of(line.mesh_file) << std::string(columns_before_error, ',')
-        << cell_of(boost::algorithm::replace_all_copy(line.error, "\n", " "));
+    out << as_cell(line.mesh_file) << std::string(commas, ',')
+        << as_cell(boost::algorithm::replace_all_copy(line.error, "\n", " "));
     end_row({});
-  } else if(line.listing.empty()) {
-    out << cell_of(line.mesh_file) << std::string(columns_before_error - 1, ',')
-        << line.answer.statistics.genus << ',';
+  } else if(has_throats)
+    write_throat_rows(out, line.mesh_file, line.answer.throats, line.answer.statistics.genus);
+  else if(kind == Row_kind::THROATS || line.listing.empty()) {
+    out << as_cell(line.mesh_file) << std::string(commas - 1, ',') << line.answer.statistics.genus
+        << ',';
     end_row({});
   } else
     for(const Listed_pair& pair : line.listing) {

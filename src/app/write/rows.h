@@ -30,8 +30,11 @@ constexpr char measure_header[] =
     ",thickness,thickness_error,thickness_x,thickness_y,thickness_z,clear_width,clear_width_error,"
     "throat_x,throat_y,throat_z,why";
 
+/// What rows tell of.
+enum class Row_kind { PAIRS, MEASURED_PAIRS, THROATS };
+
 /// the whole line.
-std::string header_of_rows(bool has_measures);
+std::string header_of_rows(Row_kind kind);
 
 /// What is told of one mesh of several.
 struct Mesh_line
@@ -45,12 +48,16 @@ struct Mesh_line
   Pair_listing listing = {};
 };
 
+/// a text as a cell of CSV.
+std::string as_cell(const std::string& text);
+
 /// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
 /// loop bounds, where the shorter loop is, how wide the handle is, with the axis if that is a bore,
 /// and the genus. Numbers read back exactly. A mesh of which no pair is listed has a row without
 /// pair, and one that has no answer a row with the error. With measures there are
-/// the diameters, errors and throats of the balls, or why they are not known.
-void write_pair_rows(Text_writer& out, const Mesh_line& line, bool has_measures);
+/// the diameters, errors and throats of the balls, or why they are not known. Or a row for each
+/// throat in place of pairs.
+void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind);
 
 /// writes an object of JSON on a line. On the standard output it is there at once.
 void write_mesh_line(Text_writer& out, const Mesh_line& line);

@@ -407,6 +407,12 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
               : "");
 }
 
+std::string table_of(const std::vector<Table_column>& columns,
+                     const std::vector<std::vector<std::string>>& rows,
+                     bool show_all) {
+  return table(columns, rows.size(), {show_all}, [&](std::size_t i) { return rows[i]; });
+}
+
 std::string table_of_boundaries(const Boundaries& boundaries, bool show_all) {
   const std::vector<Loop>& curves = boundaries.curves;
   const bool has_waists = !boundaries.waists.empty();

@@ -43,6 +43,12 @@ struct Table_column
   std::optional<Loop_type> kind = {}; ///< of the loops that it tells of
 };
 
+/// a table for a person; nothing if there are no rows. The middle of a long one is left out, unless
+/// all is to be shown.
+std::string table_of(const std::vector<Table_column>& columns,
+                     const std::vector<std::vector<std::string>>& rows,
+                     bool show_all);
+
 /// what was done to the mesh of a file before anything was computed: a line for each kind.
 std::string table_of_changes(const std::string& file,
                              const std::vector<Change>& changes,

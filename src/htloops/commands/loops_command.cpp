@@ -17,6 +17,7 @@
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/tables.h"
+#include "app/write/throat_tables.h"
 #include "commands/command.h"
 #include "commands/loops_options.h"
 #include "terminal/terminal.h"
@@ -150,7 +151,7 @@ void show(const Loops_options& options, const Mesh_line& line) {
   const Table_options table{options.show_all, use_colour(options.colour, stream)};
   show_text(table_of_pairs(line.listing, table) + words_of_left_out(line) +
                 table_of_boundaries(answer.boundaries, options.show_all) +
-                summary_of(options, line),
+                table_of_throats(answer.throats, options.show_all) + summary_of(options, line),
             is_output_taken(options));
 }
 
@@ -175,8 +176,8 @@ void run_with_lines(const Loops_options& options) {
     object->finish();
   }
   if(rows) {
-    *rows << header_of_rows(options.has_measures());
-    write_pair_rows(*rows, line, options.has_measures());
+    *rows << header_of_rows(options.kind_of_rows());
+    write_rows(*rows, line, options.kind_of_rows());
     rows->finish();
   }
   if(line.exit_code != 0)
@@ -213,6 +214,7 @@ constexpr char loops_examples[] = R"(Examples:
                                                   a look at the small ones in a browser
   htloops loops cup.off -qo - | jq '.pairs | length'
                                                   JSON into a pipe
+  htloops loops cup.off --throats --csv -        all narrow places, a row for each
   htloops loops *.off --jsonl - --jobs 4          a line for each of many meshes
   cat cup.off | htloops loops - --format off      a mesh from a pipe
   htloops loops soup.obj --triangulate --repair --write-mesh sound.obj

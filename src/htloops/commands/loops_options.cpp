@@ -86,6 +86,14 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   command.add_flag("--waists", options.do_find_waists,
                    "for each boundary curve its waist, too: a short loop of its class; the only\n"
                    "curve of a component has none");
+  command.add_flag("--throats", options.do_find_throats,
+                   "all narrow places, not only a basis: closed geodesics that are shorter than\n"
+                   "the loops next to them. They are in place of the pairs in the CSV, lines,\n"
+                   "pictures and the page");
+  command
+      .add_option("--through", options.through,
+                  "with --throats: the one to which a loop through this vertex tightens, too")
+      ->option_text("VERTEX ...");
   command.add_flag("--no-refine", options.do_not_refine,
                    "keep the handles of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,
@@ -149,6 +157,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
       {"--html", !options.page_file.empty()},
       {"--gltf", !options.gltf_file.empty()},
       {"--write-mesh", !options.written_mesh_file.empty()},
+      {"--through", !options.through.empty()},
       {"--seed", options.seed.has_value()}};
   for(const auto& [name, is_given] : given)
     if(is_given)
@@ -206,6 +215,13 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
     const Stopwatch stopwatch;
     answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
     answer.total_seconds += stopwatch.seconds();
+  }
+  if(options.do_find_throats) {
+    std::vector<Mesh::Vertex_index> through;
+    for(const std::uint32_t v : options.through)
+      through.push_back(vertex_of_mesh(mesh, v));
+    answer.throats = find_throats(mesh, answer.pairs, answer.certificate, through);
+    answer.total_seconds += answer.throats.seconds;
   }
   return answer;
 }
@@ -271,6 +287,8 @@ void check_loops_options(const Loops_options& options) {
     throw wrong_usage("--sort noise needs --measure");
   if(options.time_budget && *options.time_budget < 0.)
     throw wrong_usage("--time-budget is a number of seconds, 0 or more");
+  if(!options.through.empty() && !options.do_find_throats)
+    throw wrong_usage("--through goes with --throats");
   check_suffix(options.layers_file, ".ply");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
     throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
@@ -305,6 +323,8 @@ Json json_of(const Loops_options& options) {
       {"waists", options.do_find_waists},
       {"measure", options.has_measures()},
       {"precision", parse_precision(options.precision)},
+      {"throats", options.do_find_throats},
+      {"through", options.through},
       {"triangulate", options.remedies.do_triangulate},
       {"repair", options.remedies.do_repair}};
   if(options.remedies.do_repair && !options.remedies.steps.all())

@@ -53,6 +53,8 @@ struct Loops_options : Common_options
   double search_effort = 1.;
   std::optional<double> time_budget; ///< seconds
   bool do_find_waists = false;
+  bool do_find_throats = false;
+  std::vector<std::uint32_t> through; ///< vertices
   std::string basis = "pure";
   std::string classifier = "linking";
   int number_of_jobs = 1; ///< meshes at once
@@ -64,6 +66,11 @@ struct Loops_options : Common_options
 
   bool has_many_meshes() const { return mesh_files.size() > 1; }
   bool has_measures() const { return is_to_measure || !listing.noise_below.empty(); }
+  Row_kind kind_of_rows() const {
+    return do_find_throats  ? Row_kind::THROATS
+           : has_measures() ? Row_kind::MEASURED_PAIRS
+                            : Row_kind::PAIRS;
+  }
 };
 
 void add_loops_options(CLI::App& command, Loops_options& options);

@@ -41,7 +41,7 @@ public:
     if(!options.jsonl_file.empty())
       objects_.emplace(options.jsonl_file);
     if(!options.csv_file.empty())
-      rows_.emplace(options.csv_file) << header_of_rows(options.has_measures());
+      rows_.emplace(options.csv_file) << header_of_rows(options.kind_of_rows());
   }
 
   void add(std::size_t position, Mesh_line line) {
@@ -73,7 +73,7 @@ private:
     if(objects_)
       write_mesh_line(*objects_, line);
     if(rows_)
-      write_pair_rows(*rows_, line, options_.has_measures());
+      write_rows(*rows_, line, options_.kind_of_rows());
     if(!options_.is_quiet && !is_output_taken())
       show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +
                     row_of(line, options_.mesh_files),

@@ -59,7 +59,7 @@ struct Coarse_mesh
   /// a loop on the fine mesh, in the class of one here. It passes no hub, and is empty if it can be
   /// drawn together to a point.
   Crossing_loop lifted(const Crossing_loop& loop) const {
-    const std::vector<Index> nodes = nearest_vertices(mesh, loop);
+    const std::vector<Index> nodes = nearer_ends(mesh, loop);
     std::vector<Index> walk;
     for(std::size_t i = 0; i < nodes.size(); ++i)
       append_way(nodes[i], nodes[i + 1 == nodes.size() ? 0 : i + 1], walk);
@@ -68,29 +68,13 @@ struct Coarse_mesh
 
   /// a loop here, in the class of one on the fine mesh: around the cells that it comes through.
   Crossing_loop projected(const Crossing_loop& loop) const {
-    std::vector<Index> walk = nearest_vertices(*fine, loop);
+    std::vector<Index> walk = nearer_ends(*fine, loop);
     for(Index& v : walk)
       v = vertex_of(v);
     return loop_along(mesh, std::move(walk));
   }
 
 private:
-  // Beside a closed walk. What is left of less than a triangle is a point.
-  static Crossing_loop loop_along(const Flat_mesh& mesh, std::vector<Index> walk) {
-    remove_spurs(walk);
-    return walk.size() < 3 ? Crossing_loop() : pushed_left(mesh, walk);
-  }
-
-  // A closed walk: of each edge that the loop crosses the nearer end. Two crossings are on the
-  // edges of one face.
-  static std::vector<Index> nearest_vertices(const Flat_mesh& mesh, const Crossing_loop& loop) {
-    std::vector<Index> walk;
-    for(const Crossing& c : loop)
-      walk.push_back(ratio_on_surface(mesh, c) < 0.5 ? c.left : c.right);
-    remove_spurs(walk);
-    return walk.size() < 3 ? std::vector<Index>() : walk;
-  }
-
   // Appends, at the centre of a cell, the way on the fine mesh to that of one beside it.
   void append_way(Index from, Index to, std::vector<Index>& walk) const {
     const Gate& g = gate[mesh.row_begin[from] + mesh.position(from, to)];

@@ -25,6 +25,13 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// Intersection numbers of one curve with numbered loops: loop -> number, zeros left out.
 using Sparse_numbers = std::map<Index, std::int64_t>;
 
+/// whether curves have the same numbers, up to the sense in which they are passed.
+inline bool are_same_or_opposite(const Sparse_numbers& a, const Sparse_numbers& b) {
+  return a == b || std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto& p, auto& q) {
+           return p.first == q.first && p.second == -q.second;
+         });
+}
+
 /// A loop crosses the edge from the vertex that has this entry to another.
 struct Crossing_entry
 {

@@ -197,6 +197,22 @@ inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>
   return loop;
 }
 
+/// a closed walk: of each edge that a loop crosses the nearer end. Two crossings are on the edges
+/// of one face. What is left of less than a triangle is a point, and empty.
+inline std::vector<Index> nearer_ends(const Flat_mesh& mesh, const Crossing_loop& loop) {
+  std::vector<Index> walk;
+  for(const Crossing& c : loop)
+    walk.push_back(ratio_on_surface(mesh, c) < 0.5 ? c.left : c.right);
+  remove_spurs(walk);
+  return walk.size() < 3 ? std::vector<Index>() : walk;
+}
+
+/// a loop beside a closed walk on the edges; empty if that is a point.
+inline Crossing_loop loop_along(const Flat_mesh& mesh, std::vector<Index> walk) {
+  remove_spurs(walk);
+  return walk.size() < 3 ? Crossing_loop() : pushed_left(mesh, walk);
+}
+
 /// A pair of loops in the terms of the flat mesh.
 struct Flat_pair
 {

@@ -15,11 +15,13 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_arcs.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Distance_buckets.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Narrow_places.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Sweep_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/contour_above.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/furthest_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -35,49 +37,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// Vertices by distance, roughly: those whose distances differ by less than the width of a bucket
-/// come in any order. No vertex may be put further ahead than an edge is long.
-class Distance_buckets
-{
-public:
-  explicit Distance_buckets(const Flat_mesh& mesh) {
-    double longest = 0., sum = 0.;
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      for(Index u : mesh.ring(v)) {
-        const double length = mesh.edge_length(u, v);
-        longest = (std::max)(longest, length);
-        sum += length;
-      }
-    constexpr double most_buckets = 4096.;
-    width_ = static_cast<float>(
-        (std::max)(sum / static_cast<double>(mesh.neighbor.size()), longest / most_buckets));
-    if(!(width_ > 0.f))
-      width_ = 1.f;
-    buckets_.resize(static_cast<std::size_t>(longest / width_) + 3);
-  }
-
-  void push(float distance, Index v) {
-    buckets_[static_cast<std::size_t>(distance / width_) % buckets_.size()].push_back(v);
-    ++size_;
-  }
-
-  bool empty() const { return size_ == 0; }
-
-  Index pop() {
-    while(buckets_[current_].empty())
-      current_ = current_ + 1 == buckets_.size() ? 0 : current_ + 1;
-    const Index v = buckets_[current_].back();
-    buckets_[current_].pop_back();
-    --size_;
-    return v;
-  }
-
-private:
-  float width_;
-  std::vector<std::vector<Index>> buckets_;
-  std::size_t current_ = 0, size_ = 0;
-};
 
 /// the distances of all vertices from the nearest of the sources, along edges. There is to be a
 /// source in each component.
@@ -103,19 +62,6 @@ inline std::vector<float> edge_distances(const Flat_mesh& mesh, const std::vecto
     }
   }
   return distance;
-}
-
-/// the furthest vertex of each component; the first in the caller's order of several.
-inline std::vector<Index> furthest_vertices(const Flat_mesh& mesh,
-                                            const std::vector<float>& distance) {
-  std::vector<Index> furthest = mesh.seeds;
-  for(Index v = 0; v < distance.size(); ++v) {
-    Index& best = furthest[mesh.component[v]];
-    if(distance[v] > distance[best] ||
-       (distance[v] == distance[best] && mesh.original[v] < mesh.original[best]))
-      best = v;
-  }
-  return furthest;
 }
 
 /*!
@@ -203,27 +149,6 @@ private:
   std::vector<double> total_;                  // by component
   std::vector<std::pair<Index, Index>> sides_; // by loop
 };
-
-/// the contour of a function just above a regular vertex; what is below it is to its left.
-inline Crossing_loop contour_above(const Flat_mesh& mesh,
-                                   const Sweep_order& order,
-                                   const std::vector<float>& function,
-                                   Index v) {
-  const Index level = order.rank(v) + 1;
-  const Ring ring = mesh.ring(v);
-  const Index* higher =
-      std::find_if(ring.begin(), ring.end(), [&](Index u) { return order.rank(u) >= level; });
-  CGAL_precondition(higher != ring.end());
-  Contour_walk walk(mesh, order, level, v, *higher);
-  Crossing_loop loop;
-  do {
-    const Index left = walk.left(), right = mesh.ring(left)[walk.position()];
-    const float below = function[v] - function[left], all = function[right] - function[left];
-    loop.push_back({left, right, all > 0.f ? (std::min)(double(below) / all, 1.) : 0.5});
-    walk.advance(no_index);
-  } while(walk.left() != v || mesh.ring(v)[walk.position()] != *higher);
-  return loop;
-}
 
 /// a third of the area of the faces at each vertex.
 inline std::vector<double> vertex_areas(Execution execution, const Flat_mesh& mesh) {

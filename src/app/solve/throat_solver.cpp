@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "solve/throat_solver.h"
+
+#include "solve/progress.h"
+
+#include <CGAL/throats.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace htloops {
+
+Throats find_throats(const Mesh& mesh,
+                     const Pairs& pairs,
+                     const CGAL::Handle_tunnel_loops::Certificate& certificate,
+                     const std::vector<Mesh::Vertex_index>& through,
+                     double least_prominence) {
+  const Stopwatch stopwatch;
+  Throats throats;
+  throats.are_wanted = true;
+  throats.are_sides_known = certificate.handles_bound_inside_alone == pairs.size() &&
+                            certificate.tunnels_bound_outside_alone == pairs.size();
+  CGAL::throats<CGAL::Parallel_if_available_tag>(
+      mesh, pairs, std::back_inserter(throats.all),
+      CGAL::parameters::through_vertices(through,
+                                         CGAL::parameters::least_prominence(least_prominence)));
+  for(const Mesh::Vertex_index v : through)
+    if(std::none_of(throats.all.begin(), throats.all.end(), [v](const Throat& throat) {
+         return std::find(throat.through.begin(), throat.through.end(), v) != throat.through.end();
+       }))
+      throats.in_vain.push_back(v);
+  throats.seconds = stopwatch.seconds();
+  return throats;
+}
+
+} // namespace htloops
