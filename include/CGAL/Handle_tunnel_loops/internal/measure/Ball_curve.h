@@ -41,73 +41,85 @@ public:
   Ball_curve(const Clearance& clearance,
              const Linked_segments& linked,
              double radius,
-             std::vector<Vector> points)
+             std::vector<Free_ball> balls)
       : clearance_(clearance)
       , linked_(linked)
       , radius_(radius)
-      , points_(std::move(points)) {}
+      , balls_(std::move(balls)) {}
 
   /// the curve, pulled tight as far as some rounds do it.
   std::vector<Vector> tightened() {
     constexpr int most_rounds = 4;
     constexpr double least_gain = 0.005;
-    double length = closed_length(points_);
+    double length = closed_length(places());
     for(int round = 0; round < most_rounds; ++round) {
       leave_out();
-      const double shorter = closed_length(points_);
+      const double shorter = closed_length(places());
       if(round > 0 && shorter > (1. - least_gain) * length)
         break;
       length = shorter;
       if(round + 1 < most_rounds)
         divide();
     }
-    return std::move(points_);
+    return places();
   }
 
 private:
-  const Vector& at(std::size_t i) const { return points_[i == points_.size() ? 0 : i]; }
+  const Free_ball& ball(std::size_t i) const { return balls_[i == balls_.size() ? 0 : i]; }
+  const Vector& at(std::size_t i) const { return ball(i).place; }
+
+  std::vector<Vector> places() const {
+    std::vector<Vector> places;
+    for(const Free_ball& ball : balls_)
+      places.push_back(ball.place);
+    return places;
+  }
 
   void leave_out() {
     names_.assign(1, 0);
-    for(std::size_t i = 0; i < points_.size(); ++i)
+    for(std::size_t i = 0; i < balls_.size(); ++i)
       names_.push_back(names_.back() + linked_.name(at(i), at(i + 1)));
-    std::vector<Vector> left;
-    for(std::size_t i = 0; i < points_.size(); i = last_seen_from(i))
-      left.push_back(points_[i]);
-    points_ = std::move(left);
+    std::vector<Free_ball> left;
+    for(std::size_t i = 0; i < balls_.size(); i = last_seen_from(i))
+      left.push_back(balls_[i]);
+    balls_ = std::move(left);
   }
 
   // By steps that double, and then are halved.
   std::size_t last_seen_from(std::size_t i) const {
     std::size_t last = i + 1, step = 1;
-    for(; last + step <= points_.size() && is_straight(i, last + step); step *= 2)
+    for(; last + step <= balls_.size() && is_straight(i, last + step); step *= 2)
       last += step;
     for(; step > 0; step /= 2)
-      if(last + step <= points_.size() && is_straight(i, last + step))
+      if(last + step <= balls_.size() && is_straight(i, last + step))
         last += step;
     return last;
   }
 
   bool is_straight(std::size_t i, std::size_t j) const {
     return linked_.name(at(i), at(j)) == names_[j] - names_[i] &&
-           !clearance_.narrow_place(at(i), at(j), radius_);
+           !clearance_.narrow_between(ball(i), ball(j), radius_);
   }
 
   // New points on long pieces, at which they may be cut short.
   void divide() {
-    std::vector<Vector> finer;
-    for(std::size_t i = 0; i < points_.size(); ++i) {
+    std::vector<Free_ball> finer;
+    for(std::size_t i = 0; i < balls_.size(); ++i) {
+      finer.push_back(balls_[i]);
       const int n = static_cast<int>((std::min)(16., norm(at(i + 1) - at(i)) / radius_)) + 1;
-      for(int k = 0; k < n; ++k)
-        finer.push_back((1. - double(k) / n) * at(i) + (double(k) / n) * at(i + 1));
+      for(int k = 1; k < n; ++k)
+        if(const Free_ball ball = clearance_.ball_at(
+               (1. - double(k) / n) * at(i) + (double(k) / n) * at(i + 1), radius_);
+           ball.radius >= radius_)
+          finer.push_back(ball);
     }
-    points_ = std::move(finer);
+    balls_ = std::move(finer);
   }
 
   const Clearance& clearance_;
   const Linked_segments& linked_;
   double radius_;
-  std::vector<Vector> points_;
+  std::vector<Free_ball> balls_;
   std::vector<std::uint64_t> names_; // of the way to each point
 };
 

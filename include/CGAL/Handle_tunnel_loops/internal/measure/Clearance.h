@@ -22,6 +22,13 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// Nothing of the surface is nearer to its centre than its radius.
+struct Free_ball
+{
+  Vector place;
+  double radius;
+};
+
 /// How large a ball fits around a point, and along a segment: distances to the faces, caps
 /// included, but for rounding.
 class Clearance
@@ -48,17 +55,19 @@ public:
     return std::sqrt(best);
   }
 
-  /// a place beside a point, on the same side of the surface, where a ball of a radius fits, if
-  /// some steps away from what is nearest lead to one.
-  std::optional<Vector> with_room(Vector p, double radius) const {
+  /// a ball beside a point, on the same side of the surface, that has a radius or more, if some
+  /// steps away from what is nearest lead to one.
+  std::optional<Free_ball> with_room(Vector p, double radius) const {
     constexpr int most_steps = 24;
-    constexpr double more = 1. + 1e-9;
+    constexpr double more = 1. + 1e-9, enough = 1.5;
     for(int k = 0; k < most_steps; ++k) {
-      const std::optional<Vector> q = nearest(p, radius);
+      const std::optional<Vector> q = nearest(p, enough * radius);
       if(!q)
-        return p;
+        return Free_ball{p, enough * radius};
       const Vector way = p - *q;
       const double distance = norm(way);
+      if(distance >= radius)
+        return Free_ball{p, distance};
       if(distance == 0.)
         return std::nullopt;
       p = *q + (more * radius / distance) * way;
@@ -66,42 +75,44 @@ public:
     return std::nullopt;
   }
 
-  /// A point that is too close to the surface.
-  using Narrow = std::optional<Vector>;
-
-  /// whether balls of a radius fit all along a segment: if not, where one does not. On a piece of
-  /// length l between points with this clearance r it is at least (r^2 - l^2 / 4)^(1/2), as squared
-  /// distances to a point are convex; so pieces need not be looked at once they are short.
-  Narrow narrow_place(const Vector& a, const Vector& b, double radius) const {
-    for(const Vector* p : {&a, &b})
-      if(at(*p, radius) < radius)
-        return *p;
-    return narrow_between(a, b, radius);
+  /// a ball around a point, as large as fits, or larger than a radius.
+  Free_ball ball_at(const Vector& p, double radius) const {
+    constexpr double enough = 1.5;
+    return {p, at(p, enough * radius)};
   }
 
-  /// how far apart, as a part of the radius, ends may be at which balls fit, for balls to fit in
-  /// between.
-  double step_without_a_look() const { return 2. * std::sqrt(2. * tolerance_); }
-
-  /// the same where balls fit at the ends.
-  Narrow narrow_between(const Vector& a, const Vector& b, double radius) const {
+  /// whether balls of a radius fit all along a segment between two that have it: if not, a point
+  /// that is too close to the surface.
+  std::optional<Vector>
+  narrow_between(const Free_ball& a, const Free_ball& b, double radius) const {
     constexpr double tight = 2.; // in such places much is about equally far away
-    const double half = 0.5 * norm(b - a);
-    if(2. * half <= step_without_a_look() * radius)
+    if(is_free_between(a, b, radius))
       return std::nullopt;
-    const Vector middle = 0.5 * (a + b);
-    const double clearance = at(
-        middle, half < tight * radius ? (std::min)(radius + half, tight * radius) : radius + half);
-    if(clearance < radius)
+    const Vector middle = 0.5 * (a.place + b.place);
+    const double half = 0.5 * norm(b.place - a.place);
+    const Free_ball ball = {
+        middle, at(middle, half < tight * radius ? (std::min)(radius + half, tight * radius)
+                                                 : radius + half)};
+    if(ball.radius < radius)
       return middle;
-    if(clearance >= radius + half)
-      return std::nullopt;
-    if(const Narrow narrow = narrow_between(a, middle, radius))
+    if(const auto narrow = narrow_between(a, ball, radius))
       return narrow;
-    return narrow_between(middle, b, radius);
+    return narrow_between(ball, b, radius);
   }
 
 private:
+  // Squared distances to a point, less that along the segment, are linear: so the least of them is
+  // concave, and as large as between its ends at least.
+  bool is_free_between(const Free_ball& a, const Free_ball& b, double radius) const {
+    const Vector way = b.place - a.place;
+    const double first = a.radius * a.radius, more = b.radius * b.radius - first,
+                 square = dot(way, way), least = (1. - tolerance_) * radius;
+    if(std::abs(more) >= square)
+      return true;
+    const double ratio = 0.5 * (1. - more / square);
+    return first - ratio * ratio * square >= least * least;
+  }
+
   // The nearest point of the surface, if it is nearer than a distance.
   std::optional<Vector> nearest(const Vector& p, double distance) const {
     double limit = distance * distance;

@@ -119,7 +119,7 @@ private:
   struct Trial
   {
     double radius = 0.;               ///< for which there is room all along
-    std::vector<Vector> curve;        ///< of a ball of that radius
+    std::vector<Free_ball> curve;     ///< along which such a ball goes
     bool is_wide = false;             ///< whether there is such a one
     std::vector<Narrow_place> narrow; ///< what was in the way of one that is as wide as may be
   };
@@ -348,14 +348,15 @@ private:
     return found;
   }
 
-  // A cycle without most of its balls: those left out are so near to the one before that they lie
-  // in it, and that the way to the next needs no look.
-  Widest_cycle thinned(const Widest_cycle& cycle) const {
-    const double step = clearance_.step_without_a_look() * (1. - gap_) * cycle.radius;
+  // A cycle without most of its balls: those left out, and the way to the next, are well in the
+  // one before.
+  static Widest_cycle thinned(const Widest_cycle& cycle) {
+    constexpr double part = 0.5, most_part = 2.;
     Widest_cycle thin = {cycle.radius, cycle.row, {cycle.balls.front()}};
     for(std::size_t i = 1; i < cycle.balls.size(); ++i) {
-      const Vector &last = thin.balls.back().place,
-                   &next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
+      const auto& [last, radius] = thin.balls.back();
+      const double step = (std::min)(part * radius, most_part * cycle.radius);
+      const Vector &next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
       if(norm(cycle.balls[i].place - last) > step || norm(next - last) > step)
         thin.balls.push_back(cycle.balls[i]);
     }
@@ -365,18 +366,14 @@ private:
   // The largest of some radii for which there is room.
   Trial trial(const Widest_cycle& cycle, double most) const {
     const auto try_part = [&](double part) {
-      return try_radius(cycle, (1. - part * (gap_ - clearance_.tolerance())) * most);
+      return try_radius(cycle, (1. - part * (gap_ - clearance_.tolerance())) * most, part == 1.);
     };
+    for(const double part : {0.125, 0.25, 0.5})
+      if(Trial trial = try_part(part); trial.is_wide)
+        return trial;
     Trial best = try_part(1.);
-    if(best.is_wide) {
-      for(const double part : {0.5, 0.25, 0.125}) {
-        Trial trial = try_part(part);
-        if(!trial.is_wide)
-          break;
-        best = std::move(trial);
-      }
+    if(best.is_wide)
       return best;
-    }
     for(const double part : {2., 4., 8., 16., 32., 48.}) {
       if(part * gap_ >= 1.)
         break;
@@ -389,23 +386,26 @@ private:
     return best;
   }
 
-  // Places of the cycle where there is no room are moved to where there is.
-  Trial try_radius(const Widest_cycle& cycle, double radius) const {
+  // Places of the cycle where there is no room are moved to where there is. All that are narrow are
+  // found, or none if that is not asked for.
+  Trial try_radius(const Widest_cycle& cycle, double radius, bool is_all_asked_for) const {
     Trial trial;
     trial.radius = (1. - clearance_.tolerance()) * radius;
     const Voronoi_graph::Node* before = &cycle.balls.back();
     for(const Voronoi_graph::Node& ball : cycle.balls) {
-      const auto place = clearance_.with_room(ball.place, radius);
-      if(!place)
+      const auto free = clearance_.with_room(ball.place, radius);
+      if(!free)
         add_narrow(ball.place, {before, &ball}, cycle, trial);
       else if(!trial.curve.empty())
-        connect(*place, most_divisions, {before, &ball}, cycle, radius, trial);
-      if(place)
-        trial.curve.push_back(*place);
+        connect(*free, most_divisions, {before, &ball}, cycle, radius, trial);
+      if(free)
+        trial.curve.push_back(*free);
+      if(!trial.narrow.empty() && !is_all_asked_for)
+        return trial;
       before = &ball;
     }
     if(!trial.curve.empty()) {
-      const Vector first = trial.curve.front();
+      const Free_ball first = trial.curve.front();
       connect(first, most_divisions, {before, &cycle.balls.front()}, cycle, radius, trial);
     }
     if(trial.narrow.empty() && !is_of_class(trial.curve, cycle.row))
@@ -416,7 +416,7 @@ private:
 
   using Edge = std::array<const Voronoi_graph::Node*, 2>;
 
-  void connect(const Vector& to,
+  void connect(const Free_ball& to,
                int divisions,
                const Edge& edge,
                const Widest_cycle& cycle,
@@ -425,13 +425,13 @@ private:
     const auto narrow = clearance_.narrow_between(trial.curve.back(), to, radius);
     if(!narrow)
       return;
-    const auto place = divisions > 0 ? clearance_.with_room(*narrow, radius) : std::nullopt;
-    if(!place) {
+    const auto free = divisions > 0 ? clearance_.with_room(*narrow, radius) : std::nullopt;
+    if(!free) {
       add_narrow(*narrow, edge, cycle, trial);
       return;
     }
-    connect(*place, divisions - 1, edge, cycle, radius, trial);
-    trial.curve.push_back(*place);
+    connect(*free, divisions - 1, edge, cycle, radius, trial);
+    trial.curve.push_back(*free);
     connect(to, divisions - 1, edge, cycle, radius, trial);
   }
 
@@ -453,10 +453,10 @@ private:
       trial.narrow.push_back(narrow);
   }
 
-  bool is_of_class(const std::vector<Vector>& curve, const Linking_row& wanted) const {
+  bool is_of_class(const std::vector<Free_ball>& curve, const Linking_row& wanted) const {
     Linking_row row;
     for(std::size_t i = 0; i < curve.size(); ++i)
-      linked_.add(curve[i], curve[i + 1 < curve.size() ? i + 1 : 0], row);
+      linked_.add(curve[i].place, curve[i + 1 < curve.size() ? i + 1 : 0].place, row);
     add_up(row);
     return row == wanted;
   }

@@ -156,7 +156,8 @@ private:
     const double side = std::sqrt(square);
     if(side <= rule.least)
       return;
-    const double wanted = (std::max)(rule.least, rule.part * thickness(t, rule.face, rule.wall));
+    const double wanted =
+        (std::max)(rule.least, rule.part * thickness(t, rule, side / rule.part));
     if(side <= wanted)
       return;
     const auto pieces = halves(t, longest);
@@ -165,18 +166,20 @@ private:
       divide_by_thickness(piece, rule, corners);
   }
 
-  // From the middle of a piece to the nearer of the faces on both sides that look towards it.
-  static double thickness(const Triangle& t, Index face, const Wall& wall) {
+  // From the middle of a piece to the nearer of the faces on both sides that look towards it, if
+  // they are no farther away than is given.
+  static double thickness(const Triangle& t, const Thickness_rule& rule, double most) {
     constexpr double facing = -0.3;
-    double thickness = std::numeric_limits<double>::infinity();
-    const Vector middle = (1. / 3.) * (t[0] + t[1] + t[2]), normal = wall.normal(face);
+    double thickness = most;
+    const Vector middle = (1. / 3.) * (t[0] + t[1] + t[2]), normal = rule.wall.normal(rule.face);
     const double length = norm(normal);
     if(length > 0.)
       for(const double sign : {1., -1.}) {
         const Vector direction = (sign / length) * normal;
-        const auto [way, met] = wall.first_on_way(middle, direction, face);
-        if(met != no_index && way < thickness)
-          if(const Vector other = wall.normal(met);
+        const auto [way, met] =
+            rule.wall.first_on_way(middle, direction, rule.face, 0., thickness);
+        if(met != no_index)
+          if(const Vector other = rule.wall.normal(met);
              dot(other, normal) < facing * norm(other) * length)
             thickness = way;
       }

@@ -161,9 +161,13 @@ public:
     Index face = no_index;
   };
 
-  /// the same with the face.
-  Met first_on_way(const Vector& p, const Vector& direction, Index from, double free = 0.) const {
-    Met met;
+  /// the same with the face; what is farther away than \p most is not looked at, either.
+  Met first_on_way(const Vector& p,
+                   const Vector& direction,
+                   Index from,
+                   double free = 0.,
+                   double most = (std::numeric_limits<double>::infinity)()) const {
+    Met met = {most, no_index};
     faces_.boxes().for_each_on_way(p, direction, met.way, [&](Index f) {
       if(const double way = f != from ? way_to_face(p, direction, f) : 0.;
          way > free && way < met.way)
