@@ -90,9 +90,9 @@ public:
       return std::nullopt;
     const Vector middle = 0.5 * (a.place + b.place);
     const double half = 0.5 * norm(b.place - a.place);
-    const Free_ball ball = {
-        middle, at(middle, half < tight * radius ? (std::min)(radius + half, tight * radius)
-                                                 : radius + half)};
+    const Free_ball ball = {middle, at(middle, half < tight * radius
+                                                   ? (std::min)(radius + half, tight * radius)
+                                                   : radius + half)};
     if(ball.radius < radius)
       return middle;
     if(const auto narrow = narrow_between(a, ball, radius))

@@ -14,6 +14,8 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/measure/Ball_curve.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Leaking_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Surface_points.h>
@@ -47,9 +49,9 @@ Finds the largest balls that can be led through holes and around handles.
 Points on the surface are no nearer to a ball than the surface is: so the widest cycles among the
 points (`Widest_cycles`) are at least as wide as those of the surface, one by one, as long as no
 cycle slips between points through a loop. That is one bound. The other is a cycle itself, if balls
-of nearly its radius fit all along it (`Clearance`). Where one does not, points are too far apart:
-more are taken there, and along the loops that it is linked with, as these bound what all such
-cycles have to pass. So it goes on until the bounds agree.
+of nearly its radius fit all along it (`Clearance`). Where the bounds differ, cycles slip through
+the surface between points that are too far apart: more are taken all along where they do
+(`Leaking_edges`). So it goes on until the bounds agree.
 */
 class Handle_measurer
 {
@@ -61,14 +63,13 @@ public:
                   double precision)
       : execution_(execution)
       , gap_((std::min)(largest_gap, gap_of_precision * precision))
-      , side_(std::sqrt(3. * gap_))
+      , side_(std::sqrt(4.5 * gap_))
       , faces_(execution, mesh, span_of(places))
       , clearance_(faces_, gap_ / 12.)
       , wall_(mesh, span_of(places), faces_)
       , points_(execution, faces_)
       , loops_(loops_of(pairs))
-      , linked_(execution, loops_)
-      , finest_(loops_.size(), std::numeric_limits<double>::infinity()) {
+      , linked_(execution, loops_) {
     for(const Vector& p : places)
       points_.add(p);
     for(const auto& loop : loops_)
@@ -81,7 +82,7 @@ public:
     if(loops_.empty())
       return {};
     for(std::size_t l = 0; l < loops_.size(); ++l)
-      refine_along(l, lengths_[l] / 12., 0.5);
+      refine_along(l);
     points_.refine(execution_, std::exchange(requests_, {}));
     const double number = double(most_at_first + places_);
     points_.refine_by_thickness(execution_, wall_, part_of_thickness,
@@ -94,7 +95,7 @@ public:
       graph.insert(points_.points(), std::exchange(inserted, points_.points().size()));
       graph.build(execution_);
       find_cycles(graph);
-      refine(inserted);
+      refine(graph, inserted);
       work += inserted;
     } while(points_.points().size() > inserted && is_worth(work));
     return assign();
@@ -115,6 +116,14 @@ private:
     double distance;
   };
 
+  /// An edge through which cycles slip that are wider than a radius, and how long sides of pieces
+  /// may be where they are not to.
+  struct Leak
+  {
+    Narrow_place narrow;
+    double radius, side;
+  };
+
   /// What became of a cycle.
   struct Trial
   {
@@ -122,6 +131,7 @@ private:
     std::vector<Free_ball> curve;     ///< along which such a ball goes
     bool is_wide = false;             ///< whether there is such a one
     std::vector<Narrow_place> narrow; ///< what was in the way of one that is as wide as may be
+    bool is_leak_known = false;       ///< where wider ones slip through the surface
   };
 
   static std::vector<std::vector<Vector>> loops_of(const std::vector<Polyline_pair>& pairs) {
@@ -144,17 +154,13 @@ private:
 
   // ---- points
 
-  // Points near a loop, which bounds where balls of a radius can pass; pieces of faces have sides
-  // of this part of it.
-  void refine_along(std::size_t loop, double radius, double part) {
-    constexpr double reach = 1.2, least_gain = 0.9;
-    if(part * radius > least_gain * finest_[loop])
-      return;
-    finest_[loop] = part * radius;
-    for_each_place(loop, 0.5 * radius, [&](const Vector& p) {
-      requests_.push_back({p, reach * radius, part * radius});
+  // Points near a loop, which is close to what is narrow.
+  void refine_along(std::size_t loop) {
+    const double radius = lengths_[loop] / 12., side = 0.5 * radius;
+    for_each_place(loop, side, [&](const Vector& p) {
+      requests_.push_back({p, 1.2 * radius, side});
+      points_.add(p);
     });
-    for_each_place(loop, part * radius, [&](const Vector& p) { points_.add(p); });
   }
 
   // Places on a loop that are not farther apart.
@@ -178,12 +184,14 @@ private:
   }
 
   // More effort where little came of it.
-  void refine(std::size_t before) {
+  void refine(const Voronoi_graph& graph, std::size_t before) {
     constexpr int most_effort = 8;
     do {
       refine();
       effort_ += points_.points().size() < (1. + least_growth) * double(before) ? 1 : 0;
     } while(points_.points().size() == before && is_any_narrow() && effort_ < most_effort);
+    if(!cycles_.empty())
+      close_loops(graph, most_.back());
   }
 
   bool is_any_narrow() const {
@@ -191,79 +199,78 @@ private:
                        [](const Trial& trial) { return !trial.narrow.empty(); });
   }
 
+  // Where a ball nearly passes, and where points are passed. Denser, and farther around, the less
+  // came of it in the rounds before.
   void refine() {
+    constexpr double wide_reach = 6., largest_side = 0.8, much = 4.;
     for(std::size_t i = 0; i < cycles_.size(); ++i)
-      if(!trials_[i].narrow.empty())
-        refine_for(i);
+      if(!trials_[i].is_leak_known || trials_[i].radius >= (1. - much * gap_) * most_[i])
+        for(const Narrow_place& n : trials_[i].narrow)
+          if(refine_at(n, most_[i], side_ * most_[i])) // no such ball is to slip through beside it
+            requests_.push_back(
+                {n.place, wide_reach * reach() * n.distance, largest_side * most_[i]});
+    for(const auto& [narrow, radius, side] : leaks_)
+      refine_at(narrow, radius, side);
     points_.refine(execution_, std::exchange(requests_, {}));
-    if(!cycles_.empty())
-      close_loops(1.9 * most_.back());
+  }
+
+  double reach() const { return 1.1 * std::pow(1.25, (std::min)(effort_, 4)); }
+
+  // Returns whether it is about as narrow as a radius.
+  bool refine_at(const Narrow_place& narrow, double radius, double side) {
+    constexpr double part_of_distance = 0.35, much = 1.5;
+    const bool is_tight = narrow.distance < much * radius;
+    requests_.push_back({narrow.place, reach() * narrow.distance,
+                         is_tight ? std::pow(0.7, (std::min)(effort_, 4)) * side
+                                  : (std::max)(side, part_of_distance * narrow.distance)});
+    return is_tight;
   }
 
   // So that no cycle slips through between points of a loop, as long as these are not too many.
-  void close_loops(double distance) {
+  void close_loops(const Voronoi_graph& graph, double radius) {
+    constexpr double step = 0.5, most_away = 0.7;
     const double all = std::accumulate(lengths_.begin(), lengths_.end(), 0.);
     const double least = all / static_cast<double>(places_ + more_points);
     for(std::size_t l = 0; l < loops_.size(); ++l)
-      for_each_place(l, (std::max)(distance, least), [&](const Vector& p) { points_.add(p); });
-  }
-
-  // Along the loops, which tell where balls do not pass; where one nearly does; and where points
-  // are passed. Denser, and farther around, the less came of it in the rounds before.
-  void refine_for(std::size_t cycle) {
-    const double part = side_ * std::pow(0.7, (std::min)(effort_, 4));
-    for(const std::vector<Index>* loops : {&loop_of_, &loop_at_most_})
-      if(const Index loop = (*loops)[cycle]; loop != no_index)
-        refine_along(loop, (std::min)(most_[cycle], largest_radius(loop)), part);
-    for(const std::vector<Narrow_place>* places : {&trials_[cycle].narrow, &leaks_[cycle]})
-      refine_at(*places, most_[cycle], part);
-  }
-
-  void refine_at(const std::vector<Narrow_place>& places, double radius, double part) {
-    constexpr double part_of_distance = 0.35, much = 1.5, wide_reach = 6., largest_side = 0.8;
-    const double reach = 1.1 * std::pow(1.25, (std::min)(effort_, 4));
-    for(const Narrow_place& n : places) {
-      const bool is_tight = n.distance < much * radius;
-      requests_.push_back(
-          {n.place, reach * n.distance, is_tight ? part * radius : part_of_distance * n.distance});
-      if(is_tight) // no ball of that radius is to slip through farther away, either
-        requests_.push_back({n.place, wide_reach * reach * n.distance, largest_side * radius});
-    }
-  }
-
-  // Of a ball that passes through a loop, unless that is far from plane.
-  double largest_radius(std::size_t loop) const {
-    return lengths_[loop] / boost::math::double_constants::two_pi;
+      for_each_place(l, (std::max)(step * radius, least), [&](const Vector& p) {
+        if(graph.distance(p) > most_away * radius)
+          points_.add(p);
+      });
   }
 
   // ---- cycles
 
-  // The widest among the points tell how wide cycles are at most. Where one of them is not, others
-  // are looked for that do not cross the surface, and are wide as that is seen.
+  // The widest among the points tell how wide cycles are at most. Where none is known that is as
+  // wide, others are looked for that do not cross the surface, and are wide as that is seen.
   void find_cycles(Voronoi_graph& graph) {
-    cycles_ = Widest_cycles(execution_, graph, linked_).find(loops_.size());
+    Edge_names names(graph, linked_);
+    auto cycles = widest_cycles(graph, names, &Voronoi_graph::Edge::radius);
     most_.clear();
-    for(const Widest_cycle& cycle : cycles_)
+    for(const Widest_cycle& cycle : cycles)
       most_.push_back(cycle.radius);
-    trials_ = trials(cycles_);
-    loop_at_most_ = loops_to_pass();
     leaks_.clear();
-    for(const Trial& trial : trials_)
-      leaks_.push_back(trial.narrow);
-    const auto last = std::find_if(trials_.rbegin(), trials_.rend(),
-                                   [](const Trial& trial) { return !trial.narrow.empty(); });
-    if(last != trials_.rend()) {
-      see_surface(graph, least_seen * most_[static_cast<std::size_t>(trials_.rend() - last) - 1]);
-      std::vector<Widest_cycle> others =
-          Widest_cycles(execution_, graph, linked_).find(loops_.size());
-      if(others.size() == cycles_.size())
-        take_wider_ones(std::move(others));
-    }
-    loop_of_ = loops_to_pass();
+    judge();
+    if(cycles_.size() < most_.size() || is_any_narrow())
+      take(std::move(cycles));
+    if(!is_any_narrow())
+      return;
+    see_surface(graph, least_doubtful());
+    auto others = widest_cycles(graph, names, &Voronoi_graph::Edge::seen);
+    others.resize((std::min)(others.size(), most_.size()));
+    std::vector<Class> seen;
+    for(const Widest_cycle& cycle : others)
+      seen.push_back({cycle.radius, cycle.row});
+    take(std::move(others));
+    find_leaks(graph, names, seen);
+  }
+
+  std::vector<Widest_cycle>
+  widest_cycles(const Voronoi_graph& graph, Edge_names& names, Widest_cycles::Width width) const {
+    return Widest_cycles(execution_, graph, names, width).find(loops_.size());
   }
 
   // Of the cycles and these, the ones that have most room and are independent.
-  void take_wider_ones(std::vector<Widest_cycle> cycles) {
+  void take(std::vector<Widest_cycle> cycles) {
     std::vector<Trial> found = trials(cycles);
     cycles.insert(cycles.end(), std::make_move_iterator(cycles_.begin()),
                   std::make_move_iterator(cycles_.end()));
@@ -279,24 +286,86 @@ private:
     Linking_rank rank;
     for(const std::size_t i : order)
       if(cycles_.size() < most_.size() && rank.add(cycles[i].row)) {
-        judge(most_[cycles_.size()], cycles[i], found[i]);
         cycles_.push_back(std::move(cycles[i]));
         trials_.push_back(std::move(found[i]));
       }
+    judge();
   }
 
-  // Whether a cycle is as wide as it may be, which may be another radius than was tried.
-  void judge(double most, const Widest_cycle& cycle, Trial& trial) const {
-    if(trial.is_wide && trial.radius >= (1. - gap_) * most)
-      trial.narrow.clear();
-    else if(trial.narrow.empty())
-      trial.narrow.push_back({cycle.balls.front().place, cycle.balls.front().radius});
+  // Whether cycles are as wide as they may be, which may be other radii than were tried.
+  void judge() {
+    for(std::size_t i = 0; i < (std::min)(cycles_.size(), most_.size()); ++i)
+      if(Trial& trial = trials_[i]; trial.is_wide && trial.radius >= (1. - gap_) * most_[i])
+        trial.narrow.clear();
+      else if(trial.narrow.empty())
+        trial.narrow.push_back({cycles_[i].balls.front().place, cycles_[i].balls.front().radius});
   }
 
-  // A way between points that are far apart may lead through narrow ones, beside which there is
-  // room.
-  static constexpr double least_seen = 0.5;
-  static constexpr double about = 0.97; // to choose by, clearances are known so well
+  /// Of cycles that are seen, and a radius.
+  struct Class
+  {
+    double radius;
+    Linking_row row;
+  };
+
+  // For radii that are a little larger than what is known. Those that are about equal need but one
+  // look.
+  void
+  find_leaks(const Voronoi_graph& graph, const Edge_names& names, const std::vector<Class>& seen) {
+    const Leaking_edges leaking(graph, names, loops_.size());
+    double last = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < cycles_.size(); ++i) {
+      if(trials_[i].narrow.empty())
+        continue;
+      const double known = trials_[i].is_wide ? trials_[i].radius
+                           : i < seen.size()  ? seen[i].radius
+                                              : 0.5 * most_[i];
+      const double radius = (1. + 0.5 * gap_) * known;
+      trials_[i].is_leak_known = i > 0 && trials_[i - 1].is_leak_known;
+      if(radius > (1. - gap_) * last)
+        continue;
+      last = radius;
+      const std::size_t before = leaks_.size();
+      for(const Index e : leaking.find(radius, classes_wider(radius, seen)))
+        leaks_.push_back({{graph.narrowest(e), graph.edges[e].radius},
+                          radius,
+                          side_against(radius, graph.edges[e].radius)});
+      trials_[i].is_leak_known = leaks_.size() > before;
+    }
+  }
+
+  // Of pieces with points between which there is not so much more room than that: the more there
+  // is, the less is known yet of where there is least.
+  double side_against(double radius, double room) const {
+    constexpr double part = 2., most = 0.5;
+    const double side = std::sqrt((std::max)(0., part * (room - radius) * (room + radius)));
+    return (std::max)(side_ * radius, (std::min)(most * radius, side));
+  }
+
+  Linking_rank classes_wider(double radius, const std::vector<Class>& seen) const {
+    Linking_rank rank;
+    for(const Class& c : seen)
+      if(c.radius >= radius)
+        rank.add(c.row);
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
+      if(trials_[i].is_wide && trials_[i].radius >= radius)
+        rank.add(cycles_[i].row);
+    return rank;
+  }
+
+  // A radius that is less than those of which not enough is known. A way between points that are
+  // far apart may lead through narrow ones, beside which there is room.
+  double least_doubtful() const {
+    constexpr double part_of_known = 0.95, part_of_most = 0.5;
+    double least = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < trials_.size(); ++i)
+      if(const Trial& trial = trials_[i]; !trial.narrow.empty())
+        least = (std::min)(least, (std::max)(trial.is_wide ? part_of_known * trial.radius : 0.,
+                                             part_of_most * most_[i]));
+    return least;
+  }
+
+  static constexpr double about = 0.997; // to choose by, clearances are known so well
 
   // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
   // it. Those that are narrower than \p least stay as they are.
@@ -313,7 +382,7 @@ private:
         execution_, graph.edges.size(),
         [&](std::size_t i) {
           if(Voronoi_graph::Edge& e = graph.edges[i]; e.radius >= least)
-            e.radius *= static_cast<float>(seen_part(graph, e, clearance));
+            e.seen = e.radius * static_cast<float>(seen_part(graph, e, clearance));
         },
         256);
   }
@@ -327,17 +396,6 @@ private:
        wall_.meets(n.place, m.place))
       return 0.;
     return (std::min)(clearance[a] / n.radius, clearance[b] / m.radius);
-  }
-
-  // For each cycle a loop of its own that it is linked with, for the narrow ones the short ones.
-  // What is known of the ways there bounds them one by one.
-  std::vector<Index> loops_to_pass() const {
-    std::vector<const Linking_row*> rows;
-    for(auto c = cycles_.rbegin(); c != cycles_.rend(); ++c)
-      rows.push_back(&c->row);
-    std::vector<Index> loops = Paired_cycles(rows, lengths_, 1).partners();
-    std::reverse(loops.begin(), loops.end());
-    return loops;
   }
 
   std::vector<Trial> trials(const std::vector<Widest_cycle>& cycles) const {
@@ -356,7 +414,7 @@ private:
     for(std::size_t i = 1; i < cycle.balls.size(); ++i) {
       const auto& [last, radius] = thin.balls.back();
       const double step = (std::min)(part * radius, most_part * cycle.radius);
-      const Vector &next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
+      const Vector& next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
       if(norm(cycle.balls[i].place - last) > step || norm(next - last) > step)
         thin.balls.push_back(cycle.balls[i]);
     }
@@ -365,6 +423,7 @@ private:
 
   // The largest of some radii for which there is room.
   Trial trial(const Widest_cycle& cycle, double most) const {
+    constexpr int most_halvings = 2;
     const auto try_part = [&](double part) {
       return try_radius(cycle, (1. - part * (gap_ - clearance_.tolerance())) * most, part == 1.);
     };
@@ -378,10 +437,17 @@ private:
       if(part * gap_ >= 1.)
         break;
       Trial trial = try_part(part);
-      if(trial.is_wide) {
-        trial.narrow = std::move(best.narrow);
-        return trial;
+      if(!trial.is_wide)
+        continue;
+      for(double low = 0.5 * part, high = part, step = 0.; step < most_halvings; ++step) {
+        const double middle = 0.5 * (low + high);
+        Trial larger = try_part(middle);
+        (larger.is_wide ? high : low) = middle;
+        if(larger.is_wide)
+          trial = std::move(larger);
       }
+      trial.narrow = std::move(best.narrow);
+      return trial;
     }
     return best;
   }
@@ -541,16 +607,14 @@ private:
   std::vector<std::vector<Vector>> loops_;
   std::vector<double> lengths_; // by loop
   Linked_segments linked_;
-  std::vector<double> finest_; // by loop, sides of pieces around it
   std::size_t places_;
   int effort_ = 0;                // rounds in which little was added
   double area_ = 0., sides_ = 0.; // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
-  std::vector<double> most_;                     // by cycle, its radius at most
-  std::vector<Index> loop_of_, loop_at_most_;    // by cycle, and by that of this radius
-  std::vector<Trial> trials_;                    // by cycle
-  std::vector<std::vector<Narrow_place>> leaks_; // of cycles that are wider than there is room
+  std::vector<double> most_;  // by cycle, its radius at most
+  std::vector<Trial> trials_; // by cycle
+  std::vector<Leak> leaks_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

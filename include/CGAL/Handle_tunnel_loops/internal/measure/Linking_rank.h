@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,7 @@ public:
   bool add(const Linking_row& row) {
     Row rest;
     for(const auto& [loop, number] : row)
-      rest.emplace_back(loop, modulo(number));
+      rest.emplace_back(loop, modulo(static_cast<Number>(std::int64_t(number))));
     while(!rest.empty()) {
       const auto known = rows_.find(rest.front().first);
       if(known == rows_.end()) {
@@ -65,16 +66,34 @@ public:
     return false;
   }
 
-private:
   using Number = std::uint64_t;
-  using Row = std::vector<std::pair<Index, Number>>; // without zeros, by loop
-
   static constexpr Number prime = 2147483647;
 
-  static Number modulo(std::int64_t x) {
-    const std::int64_t rest = x % static_cast<std::int64_t>(prime);
-    return static_cast<Number>(rest < 0 ? rest + static_cast<std::int64_t>(prime) : rest);
+  /// a number of a class, or a sum of such, as the remainder of a division by the prime.
+  static Number modulo(Number x) {
+    const auto p = static_cast<std::int64_t>(prime);
+    const std::int64_t rest = static_cast<std::int64_t>(x) % p;
+    return static_cast<Number>(rest < 0 ? rest + p : rest);
   }
+
+  /// random numbers for the loops, which add up to 0, each times the entry of a row, for the rows
+  /// that were added, and so for all that depend on them.
+  std::vector<Number> numbers_without_sum(std::size_t number_of_loops) const {
+    std::mt19937_64 random;
+    std::vector<Number> numbers(number_of_loops);
+    for(Number& x : numbers)
+      x = random() % prime;
+    for(auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+      Number sum = 0;
+      for(auto entry = row->second.begin() + 1; entry != row->second.end(); ++entry)
+        sum = (sum + entry->second * numbers[entry->first]) % prime;
+      numbers[row->first] = (prime - sum) % prime;
+    }
+    return numbers;
+  }
+
+private:
+  using Row = std::vector<std::pair<Index, Number>>; // without zeros, by loop
 
   static Number inverse(Number x) {
     Number power = 1;

@@ -156,8 +156,7 @@ private:
     const double side = std::sqrt(square);
     if(side <= rule.least)
       return;
-    const double wanted =
-        (std::max)(rule.least, rule.part * thickness(t, rule, side / rule.part));
+    const double wanted = (std::max)(rule.least, rule.part * thickness(t, rule, side / rule.part));
     if(side <= wanted)
       return;
     const auto pieces = halves(t, longest);
@@ -176,8 +175,7 @@ private:
     if(length > 0.)
       for(const double sign : {1., -1.}) {
         const Vector direction = (sign / length) * normal;
-        const auto [way, met] =
-            rule.wall.first_on_way(middle, direction, rule.face, 0., thickness);
+        const auto [way, met] = rule.wall.first_on_way(middle, direction, rule.face, 0., thickness);
         if(met != no_index)
           if(const Vector other = rule.wall.normal(met);
              dot(other, normal) < facing * norm(other) * length)

@@ -52,6 +52,7 @@ public:
   {
     std::array<Index, 2> nodes;
     float radius; ///< the least along the edge, rounded
+    float seen;   ///< the same as far as the surface is known
   };
 
   /// \p box_low and \p box_high are corners of a box around all points that are ever added.
@@ -96,12 +97,27 @@ public:
           if(const Index j = cells[i]->neighbor(k)->info(); j != no_index && i < j) {
             const double radius =
                 norm(narrowest(cells[i], k) - place(cells[i]->vertex((k + 1) % 4)));
-            found.push_back(
-                {{static_cast<Index>(i), j},
-                 static_cast<float>((std::min)({radius, nodes[i].radius, nodes[j].radius}))});
+            const auto least =
+                static_cast<float>((std::min)({radius, nodes[i].radius, nodes[j].radius}));
+            found.push_back({{static_cast<Index>(i), j}, least, least});
           }
       return found;
     });
+  }
+
+  /// how far the nearest of the points is from a place.
+  double distance(const Vector& p) const {
+    return norm(place(delaunay_.nearest_vertex({p[0], p[1], p[2]})) - p);
+  }
+
+  /// the point of an edge that is nearest to the points that the balls of both its ends pass.
+  Vector narrowest(Index edge) const {
+    const Node &a = nodes[edges[edge].nodes[0]], &b = nodes[edges[edge].nodes[1]];
+    const Vector way = b.place - a.place;
+    const double square = dot(way, way);
+    const double ratio =
+        square > 0. ? 0.5 * (square + (a.radius - b.radius) * (a.radius + b.radius)) / square : 0.;
+    return a.place + (std::max)(0., (std::min)(1., ratio)) * way;
   }
 
   std::vector<Node> nodes;

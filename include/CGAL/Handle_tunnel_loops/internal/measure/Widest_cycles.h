@@ -12,8 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Named_forest.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -53,15 +54,17 @@ Edges come in portions, the widest first, until there are enough cycles.
 class Widest_cycles
 {
 public:
-  Widest_cycles(Execution execution, const Voronoi_graph& graph, const Linked_segments& linked)
+  using Width = float Voronoi_graph::Edge::*;
+
+  /// \p width is which of the radii of edges counts.
+  Widest_cycles(Execution execution, const Voronoi_graph& graph, Edge_names& names, Width width)
       : execution_(execution)
       , graph_(graph)
-      , linked_(linked)
+      , names_(names)
+      , width_(width)
       , order_(graph.edges.size())
-      , root_(graph.nodes.size())
-      , name_to_root_(graph.nodes.size(), 0) {
+      , joined_(graph.nodes.size()) {
     std::iota(order_.begin(), order_.end(), Index(0));
-    std::iota(root_.begin(), root_.end(), Index(0));
   }
 
   /// that many, the widest first; fewer if there are not so many.
@@ -86,7 +89,7 @@ private:
 
   bool is_before(Index e, Index f) const {
     const Voronoi_graph::Edge &a = graph_.edges[e], &b = graph_.edges[f];
-    return std::tie(b.radius, a.nodes) < std::tie(a.radius, b.nodes);
+    return std::tie(b.*width_, a.nodes) < std::tie(a.*width_, b.nodes);
   }
 
   void take_portion(std::size_t begin, std::size_t end, std::size_t number) {
@@ -97,13 +100,10 @@ private:
     if(end < order_.size())
       std::nth_element(place(begin), place(end), order_.end(), less);
     sort(execution_, place(begin), place(end), less);
-    std::vector<std::uint64_t> names(end - begin);
-    for_each_index(
-        execution_, names.size(), [&](std::size_t i) { names[i] = name(order_[begin + i]); }, 1024);
+    names_.find(execution_, place(begin), place(end));
     std::vector<Closing> closing;
     for(std::size_t i = begin; i < end; ++i)
-      if(const auto name = join(order_[i], names[i - begin]);
-         name != 0 && known_.insert(name).second) {
+      if(const auto name = join(order_[i]); name != 0 && known_.insert(name).second) {
         known_.insert(0 - name);
         closing.push_back({order_[i], name});
       }
@@ -111,40 +111,13 @@ private:
       add_cycles(closing, number);
   }
 
-  std::uint64_t name(Index edge) const {
-    const auto [a, b] = graph_.edges[edge].nodes;
-    return linked_.name(graph_.nodes[a].place, graph_.nodes[b].place);
-  }
-
   // Joins the ends of an edge. Returns the name of the cycle that it closes, 0 if it closes none.
-  std::uint64_t join(Index edge, std::uint64_t name) {
+  std::uint64_t join(Index edge) {
     const auto [a, b] = graph_.edges[edge].nodes;
-    const auto [root_a, name_a] = find_root(a);
-    const auto [root_b, name_b] = find_root(b);
-    const std::uint64_t around = name_b + name - name_a; // from the root of b by b and a
-    if(root_a == root_b)
-      return around;
-    forest_.push_back(edge);
-    // From the root of a by a and b to that of b: name_a is of the way from a to its root.
-    const Index child = (std::max)(root_a, root_b);
-    root_[child] = (std::min)(root_a, root_b);
-    name_to_root_[child] = child == root_a ? around : 0 - around;
-    return 0;
-  }
-
-  // With the name of the way there. Halves the ways.
-  std::pair<Index, std::uint64_t> find_root(Index v) {
-    std::uint64_t name = 0;
-    while(root_[v] != v) {
-      const Index above = root_[v];
-      if(root_[above] != above) {
-        name_to_root_[v] += name_to_root_[above];
-        root_[v] = root_[above];
-      }
-      name += name_to_root_[v];
-      v = root_[v];
-    }
-    return {v, name};
+    const auto around = joined_.join(a, b, names_[edge]);
+    if(!around)
+      forest_.push_back(edge);
+    return around.value_or(0);
   }
 
   // ---- cycles of a portion
@@ -210,32 +183,22 @@ private:
     from_a.pop_back(); // from b to where they meet, and on to a
     from_b.insert(from_b.end(), from_a.rbegin(), from_a.rend());
     Widest_cycle cycle;
-    cycle.radius = graph_.edges[edge].radius;
-    cycle.balls.push_back({narrowest(graph_.nodes[a], graph_.nodes[b]), cycle.radius});
+    cycle.radius = graph_.edges[edge].*width_;
+    cycle.balls.push_back({graph_.narrowest(edge), cycle.radius});
     for(Index v : from_b)
       cycle.balls.push_back(graph_.nodes[v]);
     for(std::size_t i = 0; i < from_b.size(); ++i)
-      linked_.add(graph_.nodes[from_b[i]].place,
-                  graph_.nodes[from_b[i + 1 < from_b.size() ? i + 1 : 0]].place, cycle.row);
+      names_.add(from_b[i], from_b[i + 1 < from_b.size() ? i + 1 : 0], cycle.row);
     add_up(cycle.row);
     return cycle;
   }
 
-  // The point of an edge that is nearest to the points that the balls of both its ends pass.
-  static Vector narrowest(const Voronoi_graph::Node& a, const Voronoi_graph::Node& b) {
-    const Vector way = b.place - a.place;
-    const double square = dot(way, way);
-    const double ratio =
-        square > 0. ? 0.5 * (square + (a.radius - b.radius) * (a.radius + b.radius)) / square : 0.;
-    return a.place + (std::max)(0., (std::min)(1., ratio)) * way;
-  }
-
   Execution execution_;
   const Voronoi_graph& graph_;
-  const Linked_segments& linked_;
+  Edge_names& names_;
+  Width width_;
   std::vector<Index> order_;
-  std::vector<Index> root_;                 // by node, on the way to its root
-  std::vector<std::uint64_t> name_to_root_; // by node, of that way
+  Named_forest joined_;
   std::vector<Index> forest_;
   std::unordered_set<std::uint64_t> known_; // names of cycles, either way around
   Linking_rank rank_;
