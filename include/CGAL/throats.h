@@ -48,7 +48,8 @@ runs from the loop over the surface, on either side. Where it comes back to the 
 boundary curve, it stays; so it is homologous to the loop all the time, in one curve or in several.
 How long it is at most, before it is shorter than the loop, on the side where that is less: that,
 less the loop, is the prominence. It is infinite if the front does not become shorter before it is
-four times as long. The front need not be the best way off, and so the estimate tends to be too
+four times as long; where there are very many throats, one that runs over much of the surface is not
+waited for. The front need not be the best way off, and so the estimate tends to be too
 large; where a surface has folds, it may be too small.
 
 What slips off before it is longer by a part (`least_prominence`) is no throat. Of loops of one
@@ -65,8 +66,9 @@ finds the shortest of all loops close by on a rough surface. Boundary curves are
 ever, over which no loop slips.
 
 Time is linear in the size of the mesh, but for sorting, for the tightening of candidates, and for
-fronts that run far: at worst each throat costs as much as distances on the (coarse) surface. It
-does not depend on the numbers of the vertices which throats are found, but for ties.
+fronts that run far: at worst each throat costs as much as distances on the (coarse) surface. Which
+throats are found does not depend on the numbers of the vertices, but for ties and, where a coarse
+mesh is looked at, for small and slight ones.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the

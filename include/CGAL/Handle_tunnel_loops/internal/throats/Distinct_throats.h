@@ -107,9 +107,9 @@ private:
   }
 
   // From short ones to long ones. Many candidates become one loop when they are tightened: they
-  // pass the same vertices.
+  // pass between the same vertices, if not all on the same side.
   std::vector<Flat_throat> without_copies(std::vector<Flat_throat> loops) const {
-    constexpr double same = 0.8, as_long = 0.99;
+    constexpr double same = 0.5, as_long = 0.99;
     std::stable_sort(loops.begin(), loops.end(), [](const Flat_throat& a, const Flat_throat& b) {
       return a.length < b.length;
     });
@@ -118,7 +118,7 @@ private:
     Loops_at at(mesh_.number_of_vertices());
     std::vector<Flat_throat> kept;
     for(Flat_throat& loop : loops) {
-      const std::vector<Index> ends = left_ends(loop);
+      const std::vector<Index> ends = ends_of(loop);
       Flat_throat* other = nullptr;
       for_each_met(ends, at, [&](Index k, double times) {
         if(other == nullptr && times >= same * double(ends.size()) &&
