@@ -88,8 +88,8 @@ mesh is looked at, for small and slight ones.
 \cgalNamedParamsBegin
   \cgalParamNBegin{through_vertices}
     \cgalParamDescription{vertices. Of the loops through each of them, from short ones to long ones, the
-      first that becomes a throat when it is let go and tightened is among the throats, even if it
-      crosses others. There may be none}
+      first that becomes a throat when it is let go and tightened is among the throats, even if
+      another one is as good. There may be none}
     \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
     \cgalParamDefault{no vertices}
   \cgalParamNEnd

@@ -314,7 +314,7 @@ expect_equal("${number}" 4)
 run(0 generate sphere --faces 2000 -o ball.off)
 run(0 loops ball.off --throats --through 7)
 expect_match("${output}" "0 throats")
-expect_match("${output}" "through vertex 7 each loop shrinks to a point")
+expect_match("${output}" "of the loops through vertex 7 none is a throat")
 run(2 loops narrow.off --through 5)
 
 # Boundary curves, and the loops beside them.

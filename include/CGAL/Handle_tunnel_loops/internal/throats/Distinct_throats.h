@@ -77,7 +77,7 @@ public:
     find_prominences(throats, most_passes_on_fine_mesh);
     throats.erase(std::remove_if(throats.begin(), throats.end(),
                                  [&](const Flat_throat& t) {
-                                   return t.prominence < least_prominence_ && t.through.empty();
+                                   return t.prominence < least_prominence_ && !is_wanted(t);
                                  }),
                   throats.end());
     return throats;
@@ -126,7 +126,7 @@ private:
           other = &kept[k];
       });
       if(other != nullptr) {
-        merge(loop, *other);
+        other->through.insert(other->through.end(), loop.through.begin(), loop.through.end());
         continue;
       }
       for(const Index v : ends)
@@ -168,9 +168,8 @@ private:
     return ends;
   }
 
-  static void merge(const Flat_throat& from, Flat_throat& into) {
-    into.through.insert(into.through.end(), from.through.begin(), from.through.end());
-  }
+  // It stays, whatever it is beside.
+  static bool is_wanted(const Flat_throat& throat) { return !throat.through.empty(); }
 
   using Loops_at = std::vector<std::vector<Index>>; // by vertex
 
@@ -207,18 +206,16 @@ private:
         },
         1);
     std::vector<Flat_throat> throats;
-    std::vector<std::size_t> place(loops.size(), loops.size()); // among the throats
+    std::vector<char> is_kept(loops.size(), 0);
     for(std::size_t i = 0; i < loops.size(); ++i) {
       if(is_throat[i] == 0)
         continue;
-      const auto other = std::find_if(in_place[i].begin(), in_place[i].end(), [&](Index j) {
-        return place[j] < loops.size() && are_of_one_class(loops[i], loops[j]);
+      const bool is_anothers = std::any_of(in_place[i].begin(), in_place[i].end(), [&](Index j) {
+        return is_kept[j] != 0 && are_of_one_class(loops[i], loops[j]);
       });
-      if(other == in_place[i].end()) {
-        place[i] = throats.size();
+      is_kept[i] = !is_anothers || is_wanted(loops[i]);
+      if(is_kept[i] != 0)
         throats.push_back(loops[i]);
-      } else
-        merge(loops[i], throats[place[*other]]);
     }
     return without_slides(throats);
   }
@@ -229,14 +226,11 @@ private:
     const auto slipping = slippings_.borrow();
     std::vector<Flat_throat> kept;
     for(Flat_throat& throat : throats) {
-      const auto other = std::find_if(kept.rbegin(), kept.rend(), [&](const Flat_throat& k) {
-        return k.length >= as_long * throat.length && are_of_one_class(throat, k) &&
-               slipping->slides(throat.loop, k.loop, throat.length, 1. + least_prominence_);
-      });
-      if(other == kept.rend())
+      if(is_wanted(throat) || std::none_of(kept.begin(), kept.end(), [&](const Flat_throat& k) {
+           return k.length >= as_long * throat.length && are_of_one_class(throat, k) &&
+                  slipping->slides(throat.loop, k.loop, throat.length, 1. + least_prominence_);
+         }))
         kept.push_back(std::move(throat));
-      else
-        merge(throat, *other);
     }
     return kept;
   }
@@ -258,7 +252,7 @@ private:
                             return is_rest(whole - part.first, part.second) ||
                                    is_rest(whole + part.first, part.second);
                           });
-      if(is_sum && throat.through.empty())
+      if(is_sum && !is_wanted(throat))
         continue;
       if(whole != 0 && shortest.emplace(whole, throat.length).second) {
         shortest.emplace(-whole, throat.length);
@@ -285,7 +279,6 @@ private:
     return there;
   }
 
-  // Those that were asked for stay.
   std::vector<Flat_throat> without_those_aslant(std::vector<Flat_throat> throats) const {
     std::stable_sort(throats.begin(), throats.end(), [](const auto& a, const auto& b) {
       return std::make_tuple(-a.prominence, a.length) < std::make_tuple(-b.prominence, b.length);
@@ -301,7 +294,7 @@ private:
         is_aslant =
             is_aslant || (is_on_both_sides(cut, kept[k].loop) && are_of_one_class(throat, kept[k]));
       });
-      if(is_aslant && throat.through.empty())
+      if(is_aslant && !is_wanted(throat))
         continue;
       for(const Index v : ends)
         at[v].push_back(static_cast<Index>(kept.size()));
