@@ -42,12 +42,6 @@ public:
   /// whether a loop becomes longer by a barrier, as a part of its length, before it slips away.
   bool is_held(const Crossing_loop& loop, double size, double barrier) {
     start(loop, size, barrier);
-    const auto is_settled = [](const Front_on_side& side) {
-      return side.has_met_barrier() || side.is_decided();
-    };
-    const auto slips = [](const Front_on_side& side) {
-      return side.has_slipped() && !side.has_met_barrier();
-    };
     run(size,
         [&] { return (is_settled(left_) && is_settled(right_)) || slips(left_) || slips(right_); });
     return !slips(left_) && !slips(right_);
@@ -55,19 +49,15 @@ public:
 
   /// how much longer a loop must become before it slips away, as a part of its length; infinite if
   /// it does not before it is \p most_times as long. Not known if fronts would have to pass more
-  /// than
-  /// \p most_vertices.
+  /// than \p most_vertices.
   std::optional<double>
   prominence(const Crossing_loop& loop, double size, double most_times, std::size_t most_vertices) {
     start(loop, size, most_times);
     const auto is_easier = [](const Front_on_side& side, const Front_on_side& other) {
       return side.has_slipped() && other.longest() >= side.longest();
     };
-    const auto is_over = [](const Front_on_side& side) {
-      return side.has_met_barrier() || side.is_decided();
-    };
     const auto is_known = [&] {
-      return (is_over(left_) && is_over(right_)) || is_easier(left_, right_) ||
+      return (is_settled(left_) && is_settled(right_)) || is_easier(left_, right_) ||
              is_easier(right_, left_);
     };
     run(size, [&] {
@@ -163,9 +153,16 @@ private:
     return {mesh_.points[v], d + e > 0. ? d / (d + e) : 0.};
   }
 
+  static bool is_settled(const Front_on_side& side) {
+    return side.has_met_barrier() || side.is_decided();
+  }
+
+  static bool slips(const Front_on_side& side) {
+    return side.has_slipped() && !side.has_met_barrier();
+  }
+
   static double way_off(const Front_on_side& side) {
-    return side.has_slipped() && !side.has_met_barrier() ? side.longest()
-                                                         : std::numeric_limits<double>::infinity();
+    return slips(side) ? side.longest() : std::numeric_limits<double>::infinity();
   }
 
   const Flat_mesh& mesh_;

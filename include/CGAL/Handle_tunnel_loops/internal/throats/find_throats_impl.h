@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -59,7 +60,7 @@ public:
     return throats_.among(tight(std::move(loops), most_moves));
   }
 
-  /// throats that are known to be some on a coarse mesh.
+  /// throats that are known to be some, most of them on a coarse mesh.
   std::vector<Flat_throat> refined(std::vector<Flat_throat> throats) {
     return throats_.among_coarse_ones(tight(std::move(throats), 0));
   }
@@ -68,14 +69,14 @@ public:
   std::vector<Flat_throat> through(const std::vector<Index>& vertices) {
     std::vector<Flat_throat> found;
     for(const Index v : vertices)
-      for(Crossing_loop& loop : Loops_through_vertex(execution_, mesh_, v).find()) {
-        Flat_throat throat = {std::move(loop), 0., 0., {v}};
+      Loops_through_vertex(execution_, mesh_, v).for_each_until([&](Crossing_loop loop) {
+        Flat_throat throat = {std::move(loop), 0., std::numeric_limits<double>::infinity(), {v}};
         tighten(throat, most_moves);
-        if(throat.loop.empty() || !throats_.is_throat(throat))
-          continue;
-        found.push_back(std::move(throat));
-        break;
-      }
+        const bool is_throat = !throat.loop.empty() && throats_.is_throat(throat);
+        if(is_throat)
+          found.push_back(std::move(throat));
+        return is_throat;
+      });
     return found;
   }
 
@@ -138,16 +139,12 @@ inline std::optional<Coarse_mesh> coarse_mesh_for_throats(Execution execution,
 inline std::vector<Flat_throat> throats_of_coarse_mesh(Execution execution,
                                                        const Coarse_mesh& coarse,
                                                        const std::vector<Crossing_loop>& known,
-                                                       const std::vector<Flat_throat>& wanted,
                                                        double least_prominence) {
   std::vector<Crossing_loop> known_there;
   for(const Crossing_loop& loop : known)
     known_there.push_back(coarse.projected(loop));
-  std::vector<Flat_throat> loops;
-  for(const Flat_throat& throat : wanted)
-    loops.push_back({coarse.projected(throat.loop), 0., 0., throat.through});
   std::vector<Flat_throat> throats =
-      Throat_search(execution, coarse.mesh, known_there, least_prominence).find(std::move(loops));
+      Throat_search(execution, coarse.mesh, known_there, least_prominence).find({});
   for(Flat_throat& throat : throats)
     throat.loop = coarse.lifted(throat.loop);
   return throats;
@@ -161,11 +158,14 @@ CGAL_HTL_CORE std::vector<Flat_throat> find_flat_throats(Execution execution,
     return {};
   const double least = limits.least_prominence;
   Throat_search search(execution, mesh, known, least);
-  std::vector<Flat_throat> throats, wanted = search.through(limits.through_vertices);
-  if(const auto coarse = coarse_mesh_for_throats(execution, mesh))
-    throats = search.refined(throats_of_coarse_mesh(execution, *coarse, known, wanted, least));
-  else
-    throats = search.find(std::move(wanted));
+  // What is asked for may be too small for a coarse mesh.
+  std::vector<Flat_throat> throats = search.through(limits.through_vertices);
+  if(const auto coarse = coarse_mesh_for_throats(execution, mesh)) {
+    for(Flat_throat& throat : throats_of_coarse_mesh(execution, *coarse, known, least))
+      throats.push_back(std::move(throat));
+    throats = search.refined(std::move(throats));
+  } else
+    throats = search.find(std::move(throats));
   std::stable_sort(throats.begin(), throats.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(-a.prominence * a.length, a.length) <
            std::make_tuple(-b.prominence * b.length, b.length);

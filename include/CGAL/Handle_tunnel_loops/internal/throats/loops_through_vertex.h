@@ -39,9 +39,8 @@ public:
       , vertex_(vertex)
       , function_(execution, mesh, surface_distances(mesh, source_in_each_component())) {}
 
-  /// from near ones to far ones.
-  std::vector<Crossing_loop> find() const {
-    std::vector<Crossing_loop> loops;
+  /// calls `f(loop)` from near ones to far ones, until it returns true.
+  template <typename Function> void for_each_until(const Function& f) const {
     Index last = no_index;
     for(const Flat_reeb_graph::Node& node : function_.graph().nodes) {
       if(node.kind != Node_kind::SADDLE || node.vertex == last || mesh_.is_hub(node.vertex) ||
@@ -49,9 +48,9 @@ public:
         continue;
       last = node.vertex;
       for(Crossing_loop& loop : loops_at(node.vertex))
-        loops.push_back(std::move(loop));
+        if(f(std::move(loop)))
+          return;
     }
-    return loops;
   }
 
 private:
