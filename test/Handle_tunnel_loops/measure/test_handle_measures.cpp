@@ -133,7 +133,7 @@ void expect_definitions(const Mesh& mesh, const Pairs& pairs, const Measures& me
       EXPECT_LE(ball.error, 0.0101 * ball.diameter);
       EXPECT_EQ(ball.throat, ball.curve.front());
       const double least = 0.5 * (ball.diameter - ball.error);
-      EXPECT_GE(distance(ball.curve, 0.1 * least), (1. - 0.005) * least);
+      EXPECT_GE(distance(ball.curve, 0.1 * least), (1. - 1e-9) * least);
     }
     EXPECT_EQ(rank_of_linking(found, pairs), found.size());
   }

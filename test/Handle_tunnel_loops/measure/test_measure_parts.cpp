@@ -1,13 +1,20 @@
 // What measures are made of, against brute force.
 
+#include "Flat_mesh_of_soup.h"
 #include "Gauss_linking.h"
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <gtest/gtest.h>
 
@@ -204,6 +211,66 @@ TEST(Linked_segments, AddUpToLinkingNumbers) {
     }
   }
   EXPECT_GT(linked_ones, 20);
+}
+
+// A ring of straight pieces with three-cornered sections, and faces far longer than those.
+struct Wire
+{
+  static constexpr std::uint32_t pieces = 12;
+  static constexpr double radius = 0.2, out = 4e-4; // of the ring, and of the corners
+
+  static Soup soup() {
+    Soup soup;
+    for(std::uint32_t i = 0; i < pieces; ++i)
+      for(const int k : {0, 1, 2}) {
+        const double a = 2. * pi * i / pieces, b = 2. * pi * k / 3.;
+        const double r = radius + out * std::cos(b);
+        soup.points.push_back({r * std::cos(a), r * std::sin(a), out * std::sin(b)});
+      }
+    for(std::uint32_t i = 0; i < pieces; ++i)
+      for(std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = 3 * i, b = 3 * ((i + 1) % pieces), next = (k + 1) % 3;
+        soup.triangles.push_back({a + k, b + k, b + next});
+        soup.triangles.push_back({a + k, b + next, a + next});
+      }
+    return soup;
+  }
+
+  impl::Flat_mesh mesh = flat_mesh_of(soup());
+  impl::Face_tree faces{impl::Execution(), mesh, impl::span_of(mesh.points)};
+  impl::Wall wall{mesh, impl::span_of(mesh.points), faces};
+  impl::Clearance clearance{faces, 1e-3};
+
+  static constexpr double pi = 3.14159265358979323846;
+};
+
+TEST(Pushed_loops, FindTheWayInAThinWire) {
+  const Wire wire;
+  std::vector<impl::Vector> around(wire.mesh.points.begin(), wire.mesh.points.begin() + 3), along;
+  for(std::size_t i = 0; i < Wire::pieces; ++i)
+    along.push_back(wire.mesh.points[3 * i]); // an edge of 60 degrees
+  const impl::Linked_segments linked(impl::Execution(), {around, along});
+  const impl::Cycle_trials trials(wire.clearance, linked, 0.015);
+  const impl::Pushed_loops pushed(wire.wall, wire.clearance, trials);
+  std::size_t inside = 0;
+  for(const bool is_left : {false, true}) {
+    const auto walk = pushed.find(along, is_left, Wire::out);
+    ASSERT_TRUE(walk);
+    inside += walk->row.empty() ? 0 : 1;
+    if(walk->row.empty())
+      continue;
+    EXPECT_EQ(walk->row.size(), 1u); // it goes through the loop around, once
+    EXPECT_EQ(walk->row[0].first, 0u);
+    EXPECT_EQ(std::abs(walk->row[0].second), 1);
+    EXPECT_GE(walk->radius, 0.2 * Wire::out);
+    EXPECT_LE(walk->radius, 0.5 * Wire::out);
+    for(const auto& [place, radius] : walk->balls)
+      EXPECT_GE(wire.clearance.at(place, 1.), (1. - 1e-9) * walk->radius);
+    const impl::Cycle_trial trial = trials.trial(*walk, 0.5 * Wire::out);
+    EXPECT_TRUE(trial.is_wide);
+    EXPECT_GE(trial.radius, 0.47 * Wire::out);
+  }
+  EXPECT_EQ(inside, 1u);
 }
 
 } // namespace test_measure_parts

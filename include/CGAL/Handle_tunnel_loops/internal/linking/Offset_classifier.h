@@ -186,16 +186,11 @@ private:
     for(Index i = 0; i < ring.size(); ++i)
       sum = sum + cross(mesh_.points[ring[i]] - mesh_.points[v],
                         mesh_.points[ring[ring.next(i)]] - mesh_.points[v]);
-    return normalized(sum);
+    return unit(sum);
   }
 
   Vector normal(const Crossing& c) const {
-    return normalized((1. - c.ratio) * normal(c.left) + c.ratio * normal(c.right));
-  }
-
-  static Vector normalized(const Vector& a) {
-    const double length = norm(a);
-    return length > 0. ? (1. / length) * a : a;
+    return unit((1. - c.ratio) * normal(c.left) + c.ratio * normal(c.right));
   }
 
   const Flat_mesh& mesh_;

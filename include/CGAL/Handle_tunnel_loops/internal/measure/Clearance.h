@@ -57,9 +57,9 @@ public:
 
   /// a ball beside a point, on the same side of the surface, that has a radius or more, if some
   /// steps away from what is nearest lead to one.
-  std::optional<Free_ball> with_room(Vector p, double radius) const {
-    constexpr int most_steps = 24;
-    constexpr double more = 1. + 1e-9, enough = 1.5;
+  std::optional<Free_ball> with_room(Vector p, double radius, int most_steps = 24) const {
+    constexpr int few_steps = 6;
+    constexpr double rounding = 1e-9, enough = 1.5, most_growth = 1.75;
     for(int k = 0; k < most_steps; ++k) {
       const std::optional<Vector> q = nearest(p, enough * radius);
       if(!q)
@@ -70,7 +70,10 @@ public:
         return Free_ball{p, distance};
       if(distance == 0.)
         return std::nullopt;
-      p = *q + (more * radius / distance) * way;
+      // Between walls at an angle, steps become ever smaller, unless they lead a little too far.
+      // They are shorter than what is known to be free, so that no wall is crossed.
+      const double more = k < few_steps ? rounding : 0.5 * tolerance_;
+      p = *q + (std::min)(most_growth, (1. + more) * radius / distance) * way;
     }
     return std::nullopt;
   }

@@ -14,10 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/measure/Ball_curve.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Leaking_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Surface_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
@@ -69,7 +71,8 @@ public:
       , wall_(mesh, span_of(places), faces_)
       , points_(execution, faces_)
       , loops_(loops_of(pairs))
-      , linked_(execution, loops_) {
+      , linked_(execution, loops_)
+      , tries_(clearance_, linked_, gap_) {
     for(const Vector& p : places)
       points_.add(p);
     for(const auto& loop : loops_)
@@ -105,16 +108,8 @@ private:
   static constexpr double gap_of_precision = 1.5, largest_gap = 0.3;
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
   static constexpr std::size_t most_at_first = 20000;
-  static constexpr int most_divisions = 5;
   static constexpr std::size_t work_per_vertex = 5, more_work = 400000;
   static constexpr std::size_t points_per_vertex = 3, more_points = 100000;
-
-  /// A place at which a ball does not fit, and the distance of the points around, or less.
-  struct Narrow_place
-  {
-    Vector place;
-    double distance;
-  };
 
   /// An edge through which cycles slip that are wider than a radius, and how long sides of pieces
   /// may be where they are not to.
@@ -122,16 +117,6 @@ private:
   {
     Narrow_place narrow;
     double radius, side;
-  };
-
-  /// What became of a cycle.
-  struct Trial
-  {
-    double radius = 0.;               ///< for which there is room all along
-    std::vector<Free_ball> curve;     ///< along which such a ball goes
-    bool is_wide = false;             ///< whether there is such a one
-    std::vector<Narrow_place> narrow; ///< what was in the way of one that is as wide as may be
-    bool is_leak_known = false;       ///< where wider ones slip through the surface
   };
 
   static std::vector<std::vector<Vector>> loops_of(const std::vector<Polyline_pair>& pairs) {
@@ -178,9 +163,7 @@ private:
   // Whether to go on: until bounds agree, the longer where there is but one.
   bool is_worth(std::size_t work) const {
     const std::size_t most = work_per_vertex * places_ + more_work;
-    return work < most ||
-           (work < 2 * most &&
-            std::any_of(trials_.begin(), trials_.end(), [](const Trial& t) { return !t.is_wide; }));
+    return work < most || (work < 2 * most && !are_all_wide());
   }
 
   // More effort where little came of it.
@@ -194,9 +177,15 @@ private:
       close_loops(graph, most_.back());
   }
 
+  bool are_all_wide() const {
+    return cycles_.size() == most_.size() &&
+           std::all_of(trials_.begin(), trials_.end(),
+                       [](const Cycle_trial& trial) { return trial.is_wide; });
+  }
+
   bool is_any_narrow() const {
     return std::any_of(trials_.begin(), trials_.end(),
-                       [](const Trial& trial) { return !trial.narrow.empty(); });
+                       [](const Cycle_trial& trial) { return !trial.narrow.empty(); });
   }
 
   // Where a ball nearly passes, and where points are passed. Denser, and farther around, the less
@@ -231,9 +220,10 @@ private:
     constexpr double step = 0.5, most_away = 0.7;
     const double all = std::accumulate(lengths_.begin(), lengths_.end(), 0.);
     const double least = all / static_cast<double>(places_ + more_points);
+    Voronoi_graph::Vertex_handle nearest;
     for(std::size_t l = 0; l < loops_.size(); ++l)
       for_each_place(l, (std::max)(step * radius, least), [&](const Vector& p) {
-        if(graph.distance(p) > most_away * radius)
+        if(graph.distance(p, nearest) > most_away * radius)
           points_.add(p);
       });
   }
@@ -261,6 +251,8 @@ private:
     for(const Widest_cycle& cycle : others)
       seen.push_back({cycle.radius, cycle.row});
     take(std::move(others));
+    if(!are_all_wide() && !std::exchange(are_loops_pushed_, true))
+      take_pushed_loops();
     find_leaks(graph, names, seen);
   }
 
@@ -269,9 +261,56 @@ private:
     return Widest_cycles(execution_, graph, names, width).find(loops_.size());
   }
 
-  // Of the cycles and these, the ones that have most room and are independent.
   void take(std::vector<Widest_cycle> cycles) {
-    std::vector<Trial> found = trials(cycles);
+    std::vector<Cycle_trial> found(cycles.size());
+    for_each_index(
+        execution_, cycles.size(),
+        [&](std::size_t i) { found[i] = tries_.trial(cycles[i], most_[i]); }, 1);
+    take(std::move(cycles), std::move(found));
+  }
+
+  // Beside loops there is room, where none is known among the points; for a ball that passes
+  // through the loop's partner.
+  void take_pushed_loops() {
+    const Pushed_loops pushed(wall_, clearance_, tries_);
+    std::vector<std::optional<Widest_cycle>> walks(2 * loops_.size());
+    for_each_index(
+        execution_, walks.size(),
+        [&](std::size_t i) {
+          const std::size_t loop = i / 2, partner = loop ^ 1;
+          walks[i] = pushed.find(loops_[loop], i % 2 != 0,
+                                 lengths_[partner] / boost::math::constants::two_pi<double>());
+        },
+        1);
+    Linking_rank known;
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
+      if(trials_[i].is_wide)
+        known.add(cycles_[i].row);
+    std::vector<Widest_cycle> cycles;
+    for(std::optional<Widest_cycle>& walk : walks)
+      if(walk && known.add(walk->row))
+        cycles.push_back(*std::move(walk));
+    std::vector<Cycle_trial> found(cycles.size());
+    for_each_index(
+        execution_, cycles.size(), [&](std::size_t i) { found[i] = widened(cycles[i]); }, 1);
+    take(std::move(cycles), std::move(found));
+  }
+
+  // As wide as the next bound above lets it be.
+  Cycle_trial widened(const Widest_cycle& walk) const {
+    Cycle_trial trial = tries_.trial(walk, 2. * walk.radius);
+    const auto bound = std::find_if(most_.rbegin(), most_.rend(),
+                                    [&](double most) { return most >= trial.radius; });
+    if(bound != most_.rend())
+      if(Cycle_trial wider = tries_.trial(walk, *bound);
+         wider.is_wide && wider.radius > trial.radius)
+        trial = std::move(wider);
+    trial.narrow.clear(); // it is not there that cycles slip through
+    return trial;
+  }
+
+  // Of the cycles and these, the ones that have most room and are independent.
+  void take(std::vector<Widest_cycle> cycles, std::vector<Cycle_trial> found) {
     cycles.insert(cycles.end(), std::make_move_iterator(cycles_.begin()),
                   std::make_move_iterator(cycles_.end()));
     found.insert(found.end(), std::make_move_iterator(trials_.begin()),
@@ -295,7 +334,7 @@ private:
   // Whether cycles are as wide as they may be, which may be other radii than were tried.
   void judge() {
     for(std::size_t i = 0; i < (std::min)(cycles_.size(), most_.size()); ++i)
-      if(Trial& trial = trials_[i]; trial.is_wide && trial.radius >= (1. - gap_) * most_[i])
+      if(Cycle_trial& trial = trials_[i]; trial.is_wide && trial.radius >= (1. - gap_) * most_[i])
         trial.narrow.clear();
       else if(trial.narrow.empty())
         trial.narrow.push_back({cycles_[i].balls.front().place, cycles_[i].balls.front().radius});
@@ -359,7 +398,7 @@ private:
     constexpr double part_of_known = 0.95, part_of_most = 0.5;
     double least = std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i < trials_.size(); ++i)
-      if(const Trial& trial = trials_[i]; !trial.narrow.empty())
+      if(const Cycle_trial& trial = trials_[i]; !trial.narrow.empty())
         least = (std::min)(least, (std::max)(trial.is_wide ? part_of_known * trial.radius : 0.,
                                              part_of_most * most_[i]));
     return least;
@@ -398,135 +437,6 @@ private:
     return (std::min)(clearance[a] / n.radius, clearance[b] / m.radius);
   }
 
-  std::vector<Trial> trials(const std::vector<Widest_cycle>& cycles) const {
-    std::vector<Trial> found(cycles.size());
-    for_each_index(
-        execution_, cycles.size(),
-        [&](std::size_t i) { found[i] = trial(thinned(cycles[i]), most_[i]); }, 1);
-    return found;
-  }
-
-  // A cycle without most of its balls: those left out, and the way to the next, are well in the
-  // one before.
-  static Widest_cycle thinned(const Widest_cycle& cycle) {
-    constexpr double part = 0.5, most_part = 2.;
-    Widest_cycle thin = {cycle.radius, cycle.row, {cycle.balls.front()}};
-    for(std::size_t i = 1; i < cycle.balls.size(); ++i) {
-      const auto& [last, radius] = thin.balls.back();
-      const double step = (std::min)(part * radius, most_part * cycle.radius);
-      const Vector& next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
-      if(norm(cycle.balls[i].place - last) > step || norm(next - last) > step)
-        thin.balls.push_back(cycle.balls[i]);
-    }
-    return thin;
-  }
-
-  // The largest of some radii for which there is room.
-  Trial trial(const Widest_cycle& cycle, double most) const {
-    constexpr int most_halvings = 2;
-    const auto try_part = [&](double part) {
-      return try_radius(cycle, (1. - part * (gap_ - clearance_.tolerance())) * most, part == 1.);
-    };
-    for(const double part : {0.125, 0.25, 0.5})
-      if(Trial trial = try_part(part); trial.is_wide)
-        return trial;
-    Trial best = try_part(1.);
-    if(best.is_wide)
-      return best;
-    for(const double part : {2., 4., 8., 16., 32., 48.}) {
-      if(part * gap_ >= 1.)
-        break;
-      Trial trial = try_part(part);
-      if(!trial.is_wide)
-        continue;
-      for(double low = 0.5 * part, high = part, step = 0.; step < most_halvings; ++step) {
-        const double middle = 0.5 * (low + high);
-        Trial larger = try_part(middle);
-        (larger.is_wide ? high : low) = middle;
-        if(larger.is_wide)
-          trial = std::move(larger);
-      }
-      trial.narrow = std::move(best.narrow);
-      return trial;
-    }
-    return best;
-  }
-
-  // Places of the cycle where there is no room are moved to where there is. All that are narrow are
-  // found, or none if that is not asked for.
-  Trial try_radius(const Widest_cycle& cycle, double radius, bool is_all_asked_for) const {
-    Trial trial;
-    trial.radius = (1. - clearance_.tolerance()) * radius;
-    const Voronoi_graph::Node* before = &cycle.balls.back();
-    for(const Voronoi_graph::Node& ball : cycle.balls) {
-      const auto free = clearance_.with_room(ball.place, radius);
-      if(!free)
-        add_narrow(ball.place, {before, &ball}, cycle, trial);
-      else if(!trial.curve.empty())
-        connect(*free, most_divisions, {before, &ball}, cycle, radius, trial);
-      if(free)
-        trial.curve.push_back(*free);
-      if(!trial.narrow.empty() && !is_all_asked_for)
-        return trial;
-      before = &ball;
-    }
-    if(!trial.curve.empty()) {
-      const Free_ball first = trial.curve.front();
-      connect(first, most_divisions, {before, &cycle.balls.front()}, cycle, radius, trial);
-    }
-    if(trial.narrow.empty() && !is_of_class(trial.curve, cycle.row))
-      trial.narrow.push_back({cycle.balls.front().place, cycle.radius});
-    trial.is_wide = trial.narrow.empty();
-    return trial;
-  }
-
-  using Edge = std::array<const Voronoi_graph::Node*, 2>;
-
-  void connect(const Free_ball& to,
-               int divisions,
-               const Edge& edge,
-               const Widest_cycle& cycle,
-               double radius,
-               Trial& trial) const {
-    const auto narrow = clearance_.narrow_between(trial.curve.back(), to, radius);
-    if(!narrow)
-      return;
-    const auto free = divisions > 0 ? clearance_.with_room(*narrow, radius) : std::nullopt;
-    if(!free) {
-      add_narrow(*narrow, edge, cycle, trial);
-      return;
-    }
-    connect(*free, divisions - 1, edge, cycle, radius, trial);
-    trial.curve.push_back(*free);
-    connect(to, divisions - 1, edge, cycle, radius, trial);
-  }
-
-  // A place where there is no room, and the balls around: between points that are too far apart
-  // they are too large.
-  static void
-  add_narrow(const Vector& p, const Edge& edge, const Widest_cycle& cycle, Trial& trial) {
-    double distance = cycle.radius;
-    for(const Voronoi_graph::Node* end : edge)
-      distance = (std::max)(distance, end->radius - norm(p - end->place));
-    add_narrow({p, distance}, trial);
-    for(const Voronoi_graph::Node* end : edge)
-      add_narrow({end->place, end->radius}, trial);
-  }
-
-  static void add_narrow(const Narrow_place& narrow, Trial& trial) {
-    if(trial.narrow.empty() ||
-       norm(narrow.place - trial.narrow.back().place) > 0.5 * narrow.distance)
-      trial.narrow.push_back(narrow);
-  }
-
-  bool is_of_class(const std::vector<Free_ball>& curve, const Linking_row& wanted) const {
-    Linking_row row;
-    for(std::size_t i = 0; i < curve.size(); ++i)
-      linked_.add(curve[i].place, curve[i + 1 < curve.size() ? i + 1 : 0].place, row);
-    add_up(row);
-    return row == wanted;
-  }
-
   // ---- answers
 
   bool is_inside(const std::vector<Vector>& curve) const {
@@ -557,7 +467,9 @@ private:
   }
 
   std::vector<Vector> curve(std::size_t cycle) const {
-    return Ball_curve(clearance_, linked_, trials_[cycle].radius, trials_[cycle].curve).tightened();
+    const auto& [radius, places, is_wide, narrow, is_leak_known] = trials_[cycle];
+    return Ball_curve(clearance_, linked_, radius / (1. - clearance_.tolerance()), places)
+        .tightened();
   }
 
   void assign(const std::vector<int>& side,
@@ -607,13 +519,15 @@ private:
   std::vector<std::vector<Vector>> loops_;
   std::vector<double> lengths_; // by loop
   Linked_segments linked_;
+  Cycle_trials tries_;
   std::size_t places_;
+  bool are_loops_pushed_ = false;
   int effort_ = 0;                // rounds in which little was added
   double area_ = 0., sides_ = 0.; // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
-  std::vector<double> most_;  // by cycle, its radius at most
-  std::vector<Trial> trials_; // by cycle
+  std::vector<double> most_;        // by cycle, its radius at most
+  std::vector<Cycle_trial> trials_; // by cycle
   std::vector<Leak> leaks_;
 };
 

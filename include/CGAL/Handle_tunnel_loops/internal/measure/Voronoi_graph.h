@@ -40,7 +40,19 @@ Points far away all around are added, so that there is no vertex at infinity.
 */
 class Voronoi_graph
 {
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Point = Kernel::Point_3;
+  using Cell = Triangulation_cell_base_with_info_3<Index,
+                                                   Kernel,
+                                                   Delaunay_triangulation_cell_base_3<Kernel>>;
+  using Delaunay = Delaunay_triangulation_3<
+      Kernel,
+      Triangulation_data_structure_3<Triangulation_vertex_base_3<Kernel>, Cell>>;
+  using Cell_handle = Delaunay::Cell_handle;
+
 public:
+  using Vertex_handle = Delaunay::Vertex_handle;
+
   /// The middle of the ball through the points of a cell.
   struct Node
   {
@@ -105,9 +117,13 @@ public:
     });
   }
 
-  /// how far the nearest of the points is from a place.
-  double distance(const Vector& p) const {
-    return norm(place(delaunay_.nearest_vertex({p[0], p[1], p[2]})) - p);
+  /// how far the nearest of the points is from a place. It is looked for from where the last one
+  /// was found, and is then where to start the next time.
+  double distance(const Vector& p, Vertex_handle& nearest) const {
+    const Point q(p[0], p[1], p[2]);
+    nearest = nearest == Vertex_handle() ? delaunay_.nearest_vertex(q)
+                                         : delaunay_.nearest_vertex(q, nearest->cell());
+    return norm(place(nearest) - p);
   }
 
   /// the point of an edge that is nearest to the points that the balls of both its ends pass.
@@ -124,21 +140,9 @@ public:
   std::vector<Edge> edges;
 
 private:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Point = Kernel::Point_3;
-  using Cell = Triangulation_cell_base_with_info_3<Index,
-                                                   Kernel,
-                                                   Delaunay_triangulation_cell_base_3<Kernel>>;
-  using Delaunay = Delaunay_triangulation_3<
-      Kernel,
-      Triangulation_data_structure_3<Triangulation_vertex_base_3<Kernel>, Cell>>;
-  using Cell_handle = Delaunay::Cell_handle;
-
   static constexpr double distance_of_frame = 8.; // in diagonals
 
-  static Vector place(Delaunay::Vertex_handle v) {
-    return {v->point().x(), v->point().y(), v->point().z()};
-  }
+  static Vector place(Vertex_handle v) { return {v->point().x(), v->point().y(), v->point().z()}; }
 
   static Node node(Cell_handle c) {
     const Vector a = place(c->vertex(0)), p = place(c->vertex(1)) - a, q = place(c->vertex(2)) - a,

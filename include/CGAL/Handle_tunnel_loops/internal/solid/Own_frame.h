@@ -122,11 +122,6 @@ private:
 
   Own_frame() = default;
 
-  static Vector unit(const Vector& v) {
-    const double length = norm(v);
-    return length > 0. ? (1. / length) * v : Vector{0., 0., 0.};
-  }
-
   // The part of a vector at right angles to an axis.
   static Vector across(const Vector& v, const Vector& axis) { return v - dot(v, axis) * axis; }
 

@@ -103,6 +103,12 @@ inline Vector cross(const Vector& a, const Vector& b) {
 }
 inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
 
+/// a vector of length 1, or the null vector.
+inline Vector unit(const Vector& a) {
+  const double length = norm(a);
+  return length > 0. ? (1. / length) * a : Vector{0., 0., 0.};
+}
+
 } // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_VECTOR_H

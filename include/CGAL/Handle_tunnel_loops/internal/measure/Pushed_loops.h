@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_PUSHED_LOOPS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_PUSHED_LOOPS_H
+
+#include <CGAL/license/Handle_tunnel_loops.h>
+
+#include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Handle_tunnel_loops::internal {
+
+/*!
+Loops of the surface, pushed off it to one side as far as balls fit.
+
+Where points are far apart against what is thin, as in a long, thin tube, walks among them slip
+through the surface everywhere, and none is known to be free. Loops are where there is a way. Which
+class it is of, if any, is told by its linking numbers.
+*/
+class Pushed_loops
+{
+public:
+  Pushed_loops(const Wall& wall, const Clearance& clearance, const Cycle_trials& trials)
+      : wall_(wall)
+      , clearance_(clearance)
+      , trials_(trials) {}
+
+  /// a free walk beside a loop, for balls of a radius, or a half of it, a quarter, and so on.
+  std::optional<Widest_cycle>
+  find(const std::vector<Vector>& loop, bool is_left, double radius) const {
+    constexpr int most_halvings = 8;
+    for(int i = 0; i <= most_halvings; ++i, radius *= 0.5) {
+      const Widest_cycle balls = beside(loop, radius, is_left);
+      if(balls.balls.empty())
+        continue;
+      if(const Cycle_trial trial = trials_.along(balls, radius, false); trial.is_wide)
+        return walk(trial);
+    }
+    return std::nullopt;
+  }
+
+private:
+  // Balls at places about a radius apart, but for those from where no room is found; none if these
+  // are many.
+  Widest_cycle beside(const std::vector<Vector>& loop, double radius, bool is_left) const {
+    constexpr std::size_t many = 32;
+    Widest_cycle cycle = {0., {}, {}};
+    std::size_t failures = 0;
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const Vector &a = loop[i], &b = loop[i + 1 < loop.size() ? i + 1 : 0];
+      const int n = 1 + static_cast<int>(norm(b - a) / radius);
+      for(int k = 0; k < n; ++k)
+        if(const auto ball = ball_at(point_between(a, b, (k + 0.5) / n), radius, is_left))
+          cycle.balls.push_back({ball->place, ball->radius});
+        else if(++failures > many + cycle.balls.size())
+          return {0., {}, {}};
+    }
+    return cycle;
+  }
+
+  // Beside a face, with more room around it, if that can be, so that walks may turn around corners.
+  // At sides walls may meet at an acute angle: there a place just off one is beyond the other.
+  std::optional<Free_ball> ball_at(const Vector& p, double radius, bool is_left) const {
+    constexpr double nothing_is_farther = 4., part = 0.25, just_off = 0.01, more = 2.;
+    constexpr int most_steps = 160; // out of corners that are as acute as faces are
+    const Index f = wall_.nearest(p, nothing_is_farther).face;
+    const std::array<Side, 2> sides = nearest_sides(p, f);
+    const double away = part * (std::min)(radius, sides[1].distance);
+    const Vector place = p + (std::max)(0., away - sides[0].distance) * sides[0].inwards +
+                         (is_left ? just_off : -just_off) * away * unit(wall_.normal(f));
+    const auto ball = clearance_.with_room(place, radius, most_steps);
+    const auto larger = ball ? clearance_.with_room(ball->place, more * radius) : std::nullopt;
+    return larger ? larger : ball;
+  }
+
+  /// Of a face, as seen from a place on it.
+  struct Side
+  {
+    double distance;
+    Vector inwards;
+  };
+
+  std::array<Side, 2> nearest_sides(const Vector& p, Index f) const {
+    std::array<Side, 3> sides;
+    for(int k = 0; k < 3; ++k) {
+      const Vector &a = wall_.corner(f, k), &b = wall_.corner(f, (k + 1) % 3);
+      const Vector inwards = unit(cross(wall_.normal(f), b - a));
+      sides[k] = {(std::max)(0., dot(p - a, inwards)), inwards};
+    }
+    std::sort(sides.begin(), sides.end(),
+              [](const Side& a, const Side& b) { return a.distance < b.distance; });
+    return {sides[0], sides[1]};
+  }
+
+  Widest_cycle walk(const Cycle_trial& trial) const {
+    Widest_cycle cycle = {trial.radius, trials_.row_of(trial.curve), {}};
+    for(const Free_ball& ball : trial.curve)
+      cycle.balls.push_back({ball.place, ball.radius});
+    const auto smallest =
+        std::min_element(cycle.balls.begin(), cycle.balls.end(),
+                         [](const auto& a, const auto& b) { return a.radius < b.radius; });
+    std::rotate(cycle.balls.begin(), smallest, cycle.balls.end());
+    return cycle;
+  }
+
+  const Wall& wall_;
+  const Clearance& clearance_;
+  const Cycle_trials& trials_;
+};
+
+} // namespace CGAL::Handle_tunnel_loops::internal
+
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_PUSHED_LOOPS_H
