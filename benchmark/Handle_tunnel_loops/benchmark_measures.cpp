@@ -134,13 +134,16 @@ public:
   try_one(const std::string& name, const Judged_mesh& mesh, const judged_measures::Pairs& pairs) {
     const Answer answer = judged_measures::answer(mesh, pairs);
     const Truth truth = judged_measures::truth(mesh, pairs);
-    const Verdict verdict = judged_measures::verdict(answer, truth.fine);
+    const bool is_any_known = !truth.fine.thickness.empty() || !truth.fine.clear_width.empty();
+    const Verdict verdict =
+        is_any_known ? judged_measures::verdict(answer, truth.fine) : Verdict(); // too many cubes
     const std::size_t wrong = judged_measures::wrong_curves(mesh, pairs, answer);
     const bool is_truth = judged_measures::do_agree(truth);
-    std::printf("| %s%s | %zu | %zu | %zu | %zu | %zu | %s | %s | %s | %zu | %.1f | %.2f |\n",
+    std::printf("| %s%s%s | %zu | %zu | %zu | %zu | %zu | %s | %s | %s | %zu | %.1f | %.2f |\n",
                 name.c_str(), is_truth ? "" : " (**voxels contradict each other**)",
-                std::size_t(num_faces(mesh)), pairs.size(), verdict.number, verdict.missing,
-                verdict.apart, percent(verdict.farthest).c_str(), percent(verdict.widest).c_str(),
+                is_any_known ? "" : " (voxels tell nothing)", std::size_t(num_faces(mesh)),
+                pairs.size(), verdict.number, verdict.missing, verdict.apart,
+                percent(verdict.farthest).c_str(), percent(verdict.widest).c_str(),
                 percent(verdict.error).c_str(), wrong, truth.seconds, answer.seconds);
     if(verdict.missing + verdict.apart + wrong != 0 || !is_truth)
       print_values(answer, truth);
@@ -151,19 +154,22 @@ public:
     apart_ += verdict.apart;
     wrong_ += wrong;
     contradictions_ += !is_truth;
-    widest_.push_back(verdict.widest);
+    if(is_any_known)
+      widest_.push_back(verdict.widest);
+    absent_ += 2 * pairs.size() - answer.thickness.size() - answer.clear_width.size();
   }
 
   /// Returns whether all is well.
   bool print_sums() const {
-    if(number_ == 0)
-      return true;
-    std::printf("\n%zu surfaces, %zu measures: %zu missing, %zu farther from what is known than "
-                "their error, %zu wrong curves; voxels contradict each other on %zu; the widest "
-                "interval is %s in the middle of the surfaces\n",
-                number_, measures_, missing_, apart_, wrong_, contradictions_,
-                percent(median(widest_)).c_str());
-    return missing_ + apart_ + wrong_ + contradictions_ == 0;
+    if(widest_.empty())
+      return absent_ + wrong_ == 0;
+    std::printf("\n%zu surfaces, %zu measures absent, %zu wrong curves. On %zu of them voxels tell "
+                "%zu intervals: %zu measures missing, %zu farther from them than their error; "
+                "voxels contradict each other on %zu; the widest interval is %s in the middle of "
+                "the surfaces\n",
+                number_, absent_, wrong_, widest_.size(), measures_, missing_, apart_,
+                contradictions_, percent(median(widest_)).c_str());
+    return absent_ + missing_ + apart_ + wrong_ + contradictions_ == 0;
   }
 
 private:
@@ -186,7 +192,8 @@ private:
       std::printf("  why: %s\n", answer.why.c_str());
   }
 
-  std::size_t number_ = 0, measures_ = 0, missing_ = 0, apart_ = 0, wrong_ = 0, contradictions_ = 0;
+  std::size_t number_ = 0, measures_ = 0, absent_ = 0, missing_ = 0, apart_ = 0, wrong_ = 0,
+              contradictions_ = 0;
   std::vector<double> widest_;
 };
 

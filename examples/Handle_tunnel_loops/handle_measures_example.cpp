@@ -3,6 +3,7 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/handle_measures.h>
 #include <CGAL/handle_tunnel_loops.h>
+#include <CGAL/removal_costs.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -30,6 +31,9 @@ int main(int argc, char* argv[]) {
   std::vector<Measures> measures;
   CGAL::handle_measures(mesh, pairs, std::back_inserter(measures));
 
+  std::vector<CGAL::Handle_tunnel_loops::Removal_costs> costs;
+  CGAL::removal_costs(mesh, pairs, std::back_inserter(costs));
+
   for(std::size_t i = 0; i < measures.size(); ++i) {
     std::cout << "handle " << i << ":";
     if(const auto& ball = measures[i].thickness)
@@ -37,6 +41,8 @@ int main(int argc, char* argv[]) {
     if(const auto& ball = measures[i].clear_width)
       std::cout << ", its hole " << ball->diameter << " wide (+- " << ball->error
                 << "), narrowest at " << ball->throat;
+    if(const auto& cut = costs[i].cut)
+      std::cout << "; a cut takes " << cut->volume << " away";
     std::cout << measures[i].why << std::endl;
   }
   return measures.size() == pairs.size() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -20,6 +20,7 @@
 
 #include <pybind11/stl.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,6 +86,8 @@ py::bytes page(const py::array& points,
   });
 }
 
+using Cost = htloops::Costs::value_type;
+
 // What is not known is a ball without points.
 py::dict record_of_balls(const htloops::Measures& measures,
                          std::optional<htloops::Ball> htloops::Measure::*which) {
@@ -120,6 +123,35 @@ py::dict measure(const py::array& points,
                   "why"_a = why);
 }
 
+// What cannot be is NaN, with a reason.
+py::dict record_of_way(const htloops::Costs& costs,
+                       std::optional<htloops::Removed_handle> Cost::*way,
+                       std::string Cost::*why_not) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> areas, volumes;
+  std::vector<std::string> reasons;
+  for(const Cost& cost : costs) {
+    areas.push_back(cost.*way ? (cost.*way)->area : unknown);
+    volumes.push_back(cost.*way ? (cost.*way)->volume : unknown);
+    reasons.push_back(cost.*why_not);
+  }
+  return py::dict("areas"_a = array_of(areas), "volumes"_a = array_of(volumes),
+                  "why_not"_a = reasons);
+}
+
+py::dict removal_costs(const py::array& points,
+                       const py::array& triangles,
+                       const py::dict& loops,
+                       int threads,
+                       Watch& watch) {
+  const Mesh mesh = mesh_of(points, triangles);
+  const htloops::Pairs pairs = pairs_of(loops, mesh);
+  const htloops::Costs costs =
+      compute(threads, watch, [&] { return htloops::find_costs(mesh, pairs, watch); });
+  return py::dict("cut"_a = record_of_way(costs, &Cost::cut, &Cost::why_no_cut),
+                  "fill"_a = record_of_way(costs, &Cost::fill, &Cost::why_no_fill));
+}
+
 } // namespace
 
 void add_loops(py::module_& module) {
@@ -127,6 +159,7 @@ void add_loops(py::module_& module) {
   module.def("certify", &certify);
   module.def("page", &page);
   module.def("measure", &measure);
+  module.def("removal_costs", &removal_costs);
 }
 
 } // namespace htl_python

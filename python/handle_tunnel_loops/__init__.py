@@ -23,6 +23,7 @@ Functions
 
     loops           the handle and tunnel loops of a mesh
     measure         how thick handles are, and how wide their holes
+    removal_costs   what it would take to remove each handle
     certify         what has been proved of loops
     throats         all narrow places of a mesh
     curve_skeleton  lines in the middle of the solid inside a mesh, with radii and a proof
@@ -45,7 +46,7 @@ raised). ``threads`` is how many a call takes at most, whatever others take at t
 
 from ._core import Interrupted, MeshError, version as _version
 from ._loops import Certificate, Loop, Loops, certify, html, loops
-from ._measures import Balls, Measures, measure
+from ._measures import Balls, Measures, RemovalCosts, Way, measure, removal_costs
 from ._reeb import ReebGraph, reeb
 from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
 from ._sources import generate, kinds, read, repair
@@ -66,8 +67,10 @@ __all__ = [
     "Measures",
     "MeshError",
     "ReebGraph",
+    "RemovalCosts",
     "SkeletonCertificate",
     "Throat",
+    "Way",
     "certify",
     "curve_skeleton",
     "cut_to_disk",
@@ -79,6 +82,7 @@ __all__ = [
     "measure",
     "read",
     "reeb",
+    "removal_costs",
     "remove_handles",
     "repair",
     "survey",

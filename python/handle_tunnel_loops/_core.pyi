@@ -57,6 +57,9 @@ def measure(
     threads: int,
     watch: Watch,
 ) -> _Record: ...
+def removal_costs(
+    points: np.ndarray, triangles: np.ndarray, loops: _Record, threads: int, watch: Watch
+) -> _Record: ...
 def page(
     points: np.ndarray, triangles: np.ndarray, loops: _Record, title: str, watch: Watch
 ) -> bytes: ...

@@ -74,3 +74,45 @@ def measure(
     return Measures(
         computed("measure", None, _core.measure, *arrays(V, F), record_of(L), value, threads_of(threads))
     )
+
+
+class Way:
+    """What one way to remove each handle by itself would change; NaN where it cannot be."""
+
+    def __init__(self, record: Dict[str, Any]):
+        self.areas: np.ndarray = record["areas"]  #: (g,): of the caps
+        self.volumes: np.ndarray = record["volumes"]  #: (g,): of the solid taken away; negative if some is put in
+        self.why_not: List[str] = record["why_not"]  #: why it cannot be; empty if it can
+
+
+class RemovalCosts:
+    """What either way to remove each handle by itself would change, in the order of the pairs."""
+
+    def __init__(self, record: Dict[str, Any]):
+        self.cut = Way(record["cut"])  #: along the handle loop
+        self.fill = Way(record["fill"])  #: along the tunnel loop
+
+    def __len__(self) -> int:
+        return len(self.cut.why_not)
+
+    def columns(self) -> Dict[str, np.ndarray]:
+        """Each number in a column of its own, as pandas takes it: ``pandas.DataFrame(C.columns())``."""
+        columns: Dict[str, np.ndarray] = {"pair": np.arange(len(self))}
+        for name, way in (("cut", self.cut), ("fill", self.fill)):
+            columns[f"{name}_area"] = way.areas
+            columns[f"{name}_volume"] = way.volumes
+            columns[f"no_{name}_because"] = np.array(way.why_not, dtype=object)
+        return columns
+
+
+def removal_costs(V: Any, F: Any = None, L: Optional[Loops] = None, threads: Optional[int] = 0) -> RemovalCosts:
+    """What it would take to remove each handle, and no other one, given the loops of a mesh.
+
+    ``removal_costs(mesh, L)`` takes one mesh object. That is what `remove_handles` would change by a cut, and by
+    a fill: the area of the caps, and the volume of the solid that is taken away or, negative, put in.
+    """
+    if isinstance(F, Loops):
+        F, L = None, F
+    return RemovalCosts(
+        computed("costs", None, _core.removal_costs, *arrays(V, F), record_of(L), threads_of(threads))
+    )

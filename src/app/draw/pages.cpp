@@ -31,8 +31,8 @@ namespace htloops {
 namespace {
 
 // The extents of a box are told in fewer letters than where there is room.
-std::vector<std::string> narrow_cells_of(const Listed_pair& pair, bool has_measures) {
-  std::vector<std::string> cells = cells_of(pair, has_measures);
+std::vector<std::string> narrow_cells_of(const Listed_pair& pair, const Pair_columns& columns) {
+  std::vector<std::string> cells = cells_of(pair, columns);
   boost::algorithm::replace_all(cells.back(), " x ", "\u00d7");
   return cells;
 }
@@ -122,14 +122,14 @@ void add_pairs(htl_window::Scene& scene,
                const Pairs& pairs,
                const Pair_listing& listing,
                const std::string& choice) {
-  const bool is_measured = has_measures(listing);
-  for(const Table_column& column : pair_columns(is_measured))
+  const Pair_columns columns(listing);
+  for(const Table_column& column : columns_of(columns))
     scene.table.columns.push_back({column.name, column.is_number});
   scene.table.choice = choice;
   add_groups_of_loops(scene);
   for(std::size_t row = 0; row < listing.size(); ++row) {
     const Listed_pair& listed = listing[row];
-    scene.table.rows.push_back(narrow_cells_of(listed, is_measured));
+    scene.table.rows.push_back(narrow_cells_of(listed, columns));
     scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
     scene.table.numbers.push_back(listed.pair);
     add_loops(scene, pairs[listed.pair], row);

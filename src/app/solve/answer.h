@@ -17,6 +17,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Handle_measures.h>
+#include <CGAL/Handle_tunnel_loops/Removal_costs.h>
 #include <CGAL/Handle_tunnel_loops/Round_bore.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -51,14 +52,19 @@ using Measure = CGAL::Handle_tunnel_loops::Handle_measures<Point>;
 /// By pair; empty if nobody measured.
 using Measures = std::vector<Measure>;
 
+/// By pair, what it would take to remove its handle; empty if nobody asked.
+using Costs = std::vector<CGAL::Handle_tunnel_loops::Removal_costs>;
+
 /// What a backend returns: certified pairs, and how they were found. Boundaries and bores are
-/// looked for by `add_details()`, measures are taken by `find_measures()`.
+/// looked for by `add_details()`, measures are taken by `find_measures()`, costs
+/// are told by `find_costs()`.
 struct Answer
 {
   Pairs pairs;
   Boundaries boundaries;
   Bores bores;
   Measures measures;
+  Costs costs;
   Throats throats;
   Statistics statistics;
   Vertex_layers vertex_layers;

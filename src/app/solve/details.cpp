@@ -11,6 +11,7 @@
 
 #include <CGAL/Handle_tunnel_loops/round_bores.h>
 #include <CGAL/handle_measures.h>
+#include <CGAL/removal_costs.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -33,6 +34,15 @@ Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, P
                                            CGAL::parameters::callback(progress.callback())));
   progress.end();
   return measures;
+}
+
+Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress) {
+  Costs costs;
+  progress.start("costs");
+  CGAL::removal_costs<CGAL::Parallel_if_available_tag>(
+      mesh, pairs, std::back_inserter(costs), CGAL::parameters::callback(progress.callback()));
+  progress.end();
+  return costs;
 }
 
 std::optional<double> noise_of(const Measure& measure) {

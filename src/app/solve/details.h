@@ -23,6 +23,9 @@ Bores find_bores(const Mesh& mesh, const Pairs& pairs);
 /// thickness and clear width by pair, each up to a part of it as an error.
 Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, Progress& progress);
 
+/// what either way to remove each handle would change, of each by itself.
+Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress);
+
 /// the smaller of thickness and clear width, as far as they are known; none if neither is.
 std::optional<double> noise_of(const Measure& measure);
 

@@ -164,6 +164,23 @@ void add_measure(Json& pair, const Measure& measure) {
     pair["not_measured_because"] = measure.why;
 }
 
+Json json_of_way(const Removed_handle& way) { return {{"area", way.area}, {"volume", way.volume}}; }
+
+} // namespace
+
+void add_costs(Json& pair, const Costs::value_type& costs) {
+  if(costs.cut)
+    pair["cut"] = json_of_way(*costs.cut);
+  else
+    pair["no_cut_because"] = costs.why_no_cut;
+  if(costs.fill)
+    pair["fill"] = json_of_way(*costs.fill);
+  else
+    pair["no_fill_because"] = costs.why_no_fill;
+}
+
+namespace {
+
 // How flat and how round it is.
 Json json_of_shape(const Loop& loop) {
   const auto shape = CGAL::loop_shape(loop.points());
@@ -468,6 +485,8 @@ void write_loops_json(const std::string& target,
     Json json = json_of_place(listed_pair(answer, index / 2, box));
     if(index / 2 < answer.measures.size())
       add_measure(json, answer.measures[index / 2]);
+    if(index / 2 < answer.costs.size())
+      add_costs(json, answer.costs[index / 2]);
     for(const Loop_type type : loop_types) {
       json[name_of(type)] =
           json_of(pair.loop(type), on, linking.empty() ? Json::object() : json_of(linking[index]));

@@ -74,6 +74,9 @@ void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dua
 /// the reference solver knows of a resolution. Throws `Failure` if the file cannot be written.
 void write_events(const std::string& target, const Answer& answer);
 
+/// adds what either way to remove a handle would change, or why it cannot be.
+void add_costs(Json& pair, const Costs::value_type& costs);
+
 } // namespace htloops
 
 #endif // HTLOOPS_DOCUMENTS_H

@@ -137,7 +137,8 @@ Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bb
           box,
           diameter_of(shorter, number < answer.bores.size() ? answer.bores[number] : std::nullopt),
           number < answer.measures.size() ? std::optional(listed(answer.measures[number]))
-                                          : std::nullopt};
+                                          : std::nullopt,
+          number < answer.costs.size() ? std::optional(answer.costs[number]) : std::nullopt};
 }
 
 Pair_listing list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options) {

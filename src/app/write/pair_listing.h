@@ -74,7 +74,8 @@ struct Listed_pair
   Point centre;     ///< of the box of the shorter loop
   CGAL::Bbox_3 box; ///< of the shorter loop
   Pair_diameter diameter;
-  std::optional<Listed_measure> measure; ///< if it was taken
+  std::optional<Listed_measure> measure;  ///< if it was taken
+  std::optional<Costs::value_type> costs; ///< of its removal, if they were asked for
 };
 
 using Pair_listing = std::vector<Listed_pair>;

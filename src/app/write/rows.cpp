@@ -67,6 +67,29 @@ void write_measure(Text_writer& out, const Listed_measure& measure) {
   out << ',' << as_cell(measure.why);
 }
 
+bool has_measures(Row_kind kind) {
+  return kind == Row_kind::MEASURED_PAIRS || kind == Row_kind::PAIRS_WITH_COSTS;
+}
+
+void write_way(Text_writer& out, const std::optional<Removed_handle>& way, const std::string& why) {
+  if(way)
+    out << ',' << way->area << ',' << way->volume << ',';
+  else
+    out << ",,," << as_cell(why);
+}
+
+// The cells after those of all pairs, empty where nothing is known.
+void write_rest(Text_writer& out, Row_kind kind, const Listed_pair* pair) {
+  if(has_measures(kind))
+    write_measure(out, pair != nullptr && pair->measure ? *pair->measure : Listed_measure());
+  if(kind == Row_kind::PAIRS_WITH_COSTS) {
+    const auto costs = pair != nullptr && pair->costs ? *pair->costs : Costs::value_type();
+    write_way(out, costs.cut, costs.why_no_cut);
+    write_way(out, costs.fill, costs.why_no_fill);
+  }
+  out << '\n';
+}
+
 Json json_of(const Listed_ball& ball) {
   return {{"diameter", ball.diameter},
           {"error", ball.error},
@@ -106,6 +129,8 @@ Json json_of(const Mesh_line& line) {
         {"size", pair.size}, {"diameter", pair.diameter.value}, {"diameter_of", pair.diameter.of}};
     if(pair.measure)
       add_measure(listed, *pair.measure);
+    if(pair.costs)
+      add_costs(listed, *pair.costs);
     json["pairs"].push_back(std::move(listed));
   }
   json["boundary_lengths"] = Json::array();
@@ -138,31 +163,27 @@ std::string as_cell(const std::string& text) {
 
 std::string header_of_rows(Row_kind kind) {
   return (kind == Row_kind::THROATS ? throat_header : pair_header) +
-         std::string(kind == Row_kind::MEASURED_PAIRS ? measure_header : "") + "\n";
+         std::string(has_measures(kind) ? measure_header : "") +
+         (kind == Row_kind::PAIRS_WITH_COSTS ? cost_header : "") + "\n";
 }
 
 void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind) {
   const std::size_t commas = columns_before_error(kind);
-  const auto end_row = [&](const std::optional<Listed_measure>& measure) {
-    if(kind == Row_kind::MEASURED_PAIRS)
-      write_measure(out, measure.value_or(Listed_measure()));
-    out << '\n';
-  };
   const bool has_throats = kind == Row_kind::THROATS && !line.answer.throats.all.empty();
   if(line.exit_code != 0) {
     out << as_cell(line.mesh_file) << std::string(commas, ',')
         << as_cell(boost::algorithm::replace_all_copy(line.error, "\n", " "));
-    end_row({});
+    write_rest(out, kind, nullptr);
   } else if(has_throats)
     write_throat_rows(out, line.mesh_file, line.answer.throats, line.answer.statistics.genus);
   else if(kind == Row_kind::THROATS || line.listing.empty()) {
     out << as_cell(line.mesh_file) << std::string(commas - 1, ',') << line.answer.statistics.genus
         << ',';
-    end_row({});
+    write_rest(out, kind, nullptr);
   } else
     for(const Listed_pair& pair : line.listing) {
       write_pair_row(out, line, pair);
-      end_row(pair.measure);
+      write_rest(out, kind, &pair);
     }
 }
 

@@ -29,9 +29,11 @@ constexpr char pair_header[] =
 constexpr char measure_header[] =
     ",thickness,thickness_error,thickness_x,thickness_y,thickness_z,clear_width,clear_width_error,"
     "throat_x,throat_y,throat_z,why";
+constexpr char cost_header[] =
+    ",cut_area,cut_volume,no_cut_because,fill_area,fill_volume,no_fill_because";
 
 /// What rows tell of.
-enum class Row_kind { PAIRS, MEASURED_PAIRS, THROATS };
+enum class Row_kind { PAIRS, MEASURED_PAIRS, PAIRS_WITH_COSTS, THROATS };
 
 /// the whole line.
 std::string header_of_rows(Row_kind kind);
@@ -55,8 +57,9 @@ std::string as_cell(const std::string& text);
 /// loop bounds, where the shorter loop is, how wide the handle is, with the axis if that is a bore,
 /// and the genus. Numbers read back exactly. A mesh of which no pair is listed has a row without
 /// pair, and one that has no answer a row with the error. With measures there are
-/// the diameters, errors and throats of the balls, or why they are not known. Or a row for each
-/// throat in place of pairs.
+/// the diameters, errors and throats of the balls, or why they are not known; with costs, after
+/// these, what either way to remove the handle would change. Or a row for each throat in place of
+/// pairs.
 void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind);
 
 /// writes an object of JSON on a line. On the standard output it is there at once.

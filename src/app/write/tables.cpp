@@ -306,15 +306,22 @@ std::vector<std::string> remarks_on_sides(const Certificate& certificate) {
   return lines;
 }
 
-std::vector<Table_column> pair_columns(bool has_measures) {
+Pair_columns::Pair_columns(const Pair_listing& listing)
+    : measures(has_measures(listing))
+    , costs(!listing.empty() && listing.front().costs.has_value()) {}
+
+std::vector<Table_column> columns_of(const Pair_columns& wanted) {
   std::vector<Table_column> columns = {{"pair", 5, true},
                                        {"handle", 12, true, Loop_type::HANDLE},
                                        {"tunnel", 12, true, Loop_type::TUNNEL},
                                        {"size", 8, true},
                                        {"diameter", 10, true},
                                        {"of", 14, false}};
-  if(has_measures)
+  if(wanted.measures)
     columns.insert(columns.end(), {{"thickness", 10, true}, {"clear width", 11, true}});
+  if(wanted.costs)
+    for(const char* title : {"cut area", "its volume", "fill area", "its volume"})
+      columns.push_back({title, 10, true});
   columns.insert(columns.end(), {{"centre of the shorter", 34, false}, {"its box", 0, false}});
   return columns;
 }
@@ -324,7 +331,15 @@ bool has_measures(const Pair_listing& listing) {
                      [](const Listed_pair& pair) { return pair.measure.has_value(); });
 }
 
-std::vector<std::string> cells_of(const Listed_pair& pair, bool has_measures) {
+void add_costs(const std::optional<Costs::value_type>& costs, std::vector<std::string>& cells) {
+  for(const auto way : {&Costs::value_type::cut, &Costs::value_type::fill}) {
+    const bool is_known = costs && (*costs).*way;
+    cells.push_back(is_known ? formatted("%.4g", ((*costs).*way)->area) : "");
+    cells.push_back(is_known ? formatted("%.4g", ((*costs).*way)->volume) : "");
+  }
+}
+
+std::vector<std::string> cells_of(const Listed_pair& pair, const Pair_columns& wanted) {
   const CGAL::Bbox_3& box = pair.box;
   const std::array<double, 3> extents = {box.max(0) - box.min(0), box.max(1) - box.min(1),
                                          box.max(2) - box.min(2)};
@@ -338,11 +353,13 @@ std::vector<std::string> cells_of(const Listed_pair& pair, bool has_measures) {
                                     formatted("%.3g%%", 100. * pair.size),
                                     formatted("%.6g", pair.diameter.value),
                                     words_of(pair.diameter)};
-  if(has_measures)
+  if(wanted.measures)
     for(const auto ball : {&Listed_measure::thickness, &Listed_measure::clear_width})
       cells.push_back(pair.measure && (*pair.measure).*ball
                           ? formatted("%.4g", ((*pair.measure).*ball)->diameter)
                           : "");
+  if(wanted.costs)
+    add_costs(pair.costs, cells);
   cells.push_back(formatted("(%.4g, %.4g, %.4g)", x, y, z));
   cells.push_back(formatted("%.3g x %.3g x %.3g", width, depth, height));
   return cells;
@@ -368,9 +385,9 @@ std::string why_not_measured(const Pair_listing& listing) {
 }
 
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options) {
-  const bool is_measured = has_measures(listing);
-  return table(pair_columns(is_measured), listing.size(), options,
-               [&](std::size_t i) { return cells_of(listing[i], is_measured); }) +
+  const Pair_columns columns(listing);
+  return table(columns_of(columns), listing.size(), options,
+               [&](std::size_t i) { return cells_of(listing[i], columns); }) +
          why_not_measured(listing);
 }
 

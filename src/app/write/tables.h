@@ -73,11 +73,20 @@ struct Table_options
   bool is_verbose = false; ///< why no device was used, too
 };
 
-/// those of a table of pairs, with measures if these were taken.
-std::vector<Table_column> pair_columns(bool has_measures);
+/// Which columns a table of pairs has beside those that all have.
+struct Pair_columns
+{
+  bool measures, costs;
+
+  /// what is known of any of the pairs.
+  explicit Pair_columns(const Pair_listing& listing);
+};
+
+/// those of a table of pairs.
+std::vector<Table_column> columns_of(const Pair_columns& wanted);
 
 /// what stands in the columns.
-std::vector<std::string> cells_of(const Listed_pair& pair, bool has_measures);
+std::vector<std::string> cells_of(const Listed_pair& pair, const Pair_columns& wanted);
 
 /// whether any of them was measured.
 bool has_measures(const Pair_listing& listing);

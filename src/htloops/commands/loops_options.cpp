@@ -63,6 +63,12 @@ void add_jobs_option(CLI::App& command, Loops_options& options) {
       ->check(CLI::Range(1, 1024));
 }
 
+void add_costs_option(CLI::App& command, Loops_options& options, const std::string& condition) {
+  command.add_flag("--removal", options.has_costs,
+                   condition + "what it would take to remove each handle by itself, by\n" +
+                       "a cut and by a fill: the area and the volume that would change");
+}
+
 void add_computation_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("How to compute");
   add_choice(command, "--backend", "NAME", options.backend,
@@ -118,6 +124,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
                    "how thick each handle is and how wide its hole: the largest balls that can be\n"
                    "threaded around it in the material, and through it");
   add_precision_option(command, options.precision);
+  add_costs_option(command, options, "with --measure: ");
   add_choice(command, "--classify", "HOW", options.classifier,
              "what tells handles from tunnels: linking (numbers, exact; the default)\n"
              "or offset (change of length: faster, but no loop is made to bound)",
@@ -216,6 +223,11 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
     answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
     answer.total_seconds += stopwatch.seconds();
   }
+  if(options.has_costs) {
+    const Stopwatch stopwatch;
+    answer.costs = find_costs(mesh, answer.pairs, bar);
+    answer.total_seconds += stopwatch.seconds();
+  }
   if(options.do_find_throats) {
     std::vector<Mesh::Vertex_index> through;
     for(const std::uint32_t v : options.through)
@@ -270,6 +282,7 @@ void add_measure_options(CLI::App& command, Loops_options& options) {
   add_remedy_options(command, options);
   command.option_defaults()->group("How to compute");
   add_precision_option(command, options.precision);
+  add_costs_option(command, options, "");
   add_threads_option(command, options);
   add_jobs_option(command, options);
   add_display_options(command, options);
@@ -285,6 +298,8 @@ void check_loops_options(const Loops_options& options) {
     throw wrong_usage("measures are of handles and tunnels: not with --basis shortest");
   if(options.listing.order == "noise" && !options.has_measures())
     throw wrong_usage("--sort noise needs --measure");
+  if(options.has_costs && !options.has_measures())
+    throw wrong_usage("--removal needs --measure");
   if(options.time_budget && *options.time_budget < 0.)
     throw wrong_usage("--time-budget is a number of seconds, 0 or more");
   if(!options.through.empty() && !options.do_find_throats)
@@ -323,6 +338,7 @@ Json json_of(const Loops_options& options) {
       {"waists", options.do_find_waists},
       {"measure", options.has_measures()},
       {"precision", parse_precision(options.precision)},
+      {"removal", options.has_costs},
       {"throats", options.do_find_throats},
       {"through", options.through},
       {"triangulate", options.remedies.do_triangulate},

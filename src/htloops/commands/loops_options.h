@@ -60,6 +60,7 @@ struct Loops_options : Common_options
   int number_of_jobs = 1; ///< meshes at once
   bool is_to_measure = false;
   std::string precision = "1%"; ///< of measures, relative to each
+  bool has_costs = false;       ///< of removal
   bool show_all = false;
   bool is_verbose = false;
   std::string colour = "auto";
@@ -68,6 +69,7 @@ struct Loops_options : Common_options
   bool has_measures() const { return is_to_measure || !listing.noise_below.empty(); }
   Row_kind kind_of_rows() const {
     return do_find_throats  ? Row_kind::THROATS
+           : has_costs      ? Row_kind::PAIRS_WITH_COSTS
            : has_measures() ? Row_kind::MEASURED_PAIRS
                             : Row_kind::PAIRS;
   }

@@ -171,6 +171,21 @@ TEST_F(Loops_schema, fits_measures) {
                                     [](json& d) { d["pairs"][0]["clear_width"]["throat"] = 1.; }});
 }
 
+TEST_F(Loops_schema, fits_costs_of_removal) {
+  const Mesh mesh = bored_mesh();
+  Answer answer = solved(mesh);
+  answer.costs.resize(1);
+  answer.costs[0].fill = Removed_handle{0, Removal_way::FILL, 6., 6.2, -0.5};
+  answer.costs[0].why_no_cut = "no room";
+  const json document = written(mesh, answer);
+  schema_.expect_fits(document);
+  EXPECT_EQ(document["pairs"][0]["fill"]["volume"], -0.5);
+  EXPECT_FALSE(document["pairs"][0].contains("cut"));
+  EXPECT_EQ(document["pairs"][0]["no_cut_because"], "no room");
+  schema_.expect_refuses(document, {[](json& d) { d["pairs"][0]["fill"].erase("volume"); },
+                                    [](json& d) { d["pairs"][0]["fill"]["area"] = -1.; }});
+}
+
 TEST_F(Loops_schema, fits_what_is_not_known) {
   const Mesh mesh = small_mesh();
   Answer answer = small_answer(mesh);

@@ -40,6 +40,14 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
                                   bool force,
                                   const std::function<void(double)>& ask);
 
+/// what the removal of each handle would be by itself: its task becomes what it would be if nothing
+/// else was removed. The mesh stays as it is.
+CGAL_HTL_CORE void try_to_remove_each(Execution execution,
+                                      Surgery_mesh& mesh,
+                                      std::vector<Removal_task>& tasks,
+                                      bool force,
+                                      const std::function<void(double)>& ask);
+
 /// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.
 CGAL_HTL_CORE std::vector<Removal_task>
 remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);

@@ -53,13 +53,19 @@ removed.
 class Removal_rounds
 {
 public:
+  enum class Mode {
+    TOGETHER,  ///< one after the other, on what the others have left
+    EACH_ALONE ///< each on the surface as it is, which stays
+  };
+
   /// \p force removes handles even where that is no repair.
-  Removal_rounds(Execution execution, Surgery_mesh& mesh, bool force)
+  Removal_rounds(Execution execution, Surgery_mesh& mesh, bool force, Mode mode = Mode::TOGETHER)
       : execution_(execution)
       , mesh_(mesh)
       , meet_mesh_(mesh)
       , judge_(mesh, force)
-      , pieces_(execution, mesh, judge_.outward()) {}
+      , pieces_(execution, mesh, judge_.outward())
+      , mode_(mode) {}
 
   /// \p ask is called again and again, and throws to stop.
   void operator()(std::vector<Removal_task>& tasks,
@@ -144,7 +150,7 @@ private:
     is_any_first_ = std::any_of(candidates_.begin(), candidates_.end(),
                                 [](const auto& c) { return !c.is_done() && c.task().comes_first; });
     for(Removal_candidate& candidate : candidates_)
-      if(!candidate.is_done())
+      if(!candidate.is_done() && mode_ == Mode::TOGETHER)
         candidate.reserve(layout);
     for_each_index(
         execution_, candidates_.size(),
@@ -156,7 +162,8 @@ private:
     Candidates chosen;
     for(Removal_candidate& candidate : candidates_)
       if(may_be_tried(candidate) && is_ready(candidate, layout)) {
-        candidate.claim(layout);
+        if(mode_ == Mode::TOGETHER)
+          candidate.claim(layout);
         chosen.push_back(&candidate);
       }
     return chosen;
@@ -188,8 +195,8 @@ private:
     Handle_surgery& surgery = *candidate.surgery();
     surgery.companions.clear();
     const std::size_t number = surgery.number_of_handles() - 1;
-    if(number == 0)
-      return true;
+    if(number == 0 || mode_ == Mode::EACH_ALONE)
+      return number == 0;
     std::vector<std::pair<double, std::size_t>> others; // which are not inside, by what is not
     for(std::size_t i = 0; i < candidates_.size(); ++i) {
       Removal_candidate& other = candidates_[i];
@@ -281,6 +288,8 @@ private:
       return candidate.fail_along_loop();
     if(!separates && candidate.task().is_of_neck())
       return candidate.fail({Obstacle::TOPOLOGY, "the loop does not separate the surface"});
+    if(mode_ == Mode::EACH_ALONE)
+      return describe(candidate);
     changes_.push_back(surgery.reach());
     put_in(candidate);
     put_in_.push_back(std::move(placed));
@@ -290,7 +299,7 @@ private:
     if(surgery.is_harmless && are_others_whole_)
       return false;
     const bool separates = separates_(mesh_, surgery.cut(mesh_));
-    if(!separates)
+    if(!separates && mode_ == Mode::TOGETHER)
       are_others_whole_ = false; // it is taken out too
     return separates;
   }
@@ -349,6 +358,7 @@ private:
   Mesh_contacts meet_mesh_;
   Shape_judge judge_;
   const Concave_pieces pieces_;
+  const Mode mode_;
   Separation separates_;
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
@@ -426,6 +436,18 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
   }
   give_up(remove, tasks);
   CGAL_postcondition(number_with(State::OPEN, tasks) == 0);
+}
+
+CGAL_HTL_CORE void try_to_remove_each(Execution execution,
+                                      Surgery_mesh& mesh,
+                                      std::vector<Removal_task>& tasks,
+                                      bool force,
+                                      const std::function<void(double)>& ask) {
+  Removal_rounds remove(execution, mesh, force, Removal_rounds::Mode::EACH_ALONE);
+  remove(tasks, [&] {
+    ask(double(number_with(Removal_task::State::REMOVED, tasks)) / double(tasks.size()));
+  });
+  give_up(remove, tasks);
 }
 
 CGAL_HTL_CORE std::vector<Removal_task>
