@@ -72,10 +72,7 @@ template <typename Pair> struct Handle_selection : Removal_options
     std::vector<Removal_task> selected, kept;
     for(std::size_t i = 0; i < pairs.size(); ++i) {
       const Loop& first = pairs[i].loop(first_type(i, pairs[i]));
-      Removal_task task;
-      task.pair = i;
-      task.choices = {loop_choice(first, tm, vertex_index),
-                      loop_choice(pairs[i].partner(first), tm, vertex_index)};
+      Removal_task task = removal_task(i, pairs[i], first, tm, vertex_index);
       task.choices.back().is_allowed = method_of(i) == Removal_method::SMALLEST_CHANGE;
       (is_wanted(i, pairs[i], first) ? selected : kept).push_back(std::move(task));
     }

@@ -178,6 +178,20 @@ struct Removal_task
   }
 };
 
+/// of a handle with a number, along either loop of its pair, this one first.
+template <typename Pair, typename Loop, typename TriangleMesh, typename VertexIndexMap>
+Removal_task removal_task(std::size_t number,
+                          const Pair& pair,
+                          const Loop& first,
+                          const TriangleMesh& tm,
+                          VertexIndexMap vertex_index) {
+  Removal_task task;
+  task.pair = number;
+  task.choices = {loop_choice(first, tm, vertex_index),
+                  loop_choice(pair.partner(first), tm, vertex_index)};
+  return task;
+}
+
 /// how many are not done, or could not be.
 inline std::size_t number_left(const std::vector<Removal_task>& tasks) {
   return static_cast<std::size_t>(std::count_if(

@@ -48,10 +48,7 @@ public:
     std::vector<Removal_task> tasks;
     for(const auto& pair : pairs)
       for(const auto* loop : {&pair.handle(), &pair.tunnel()}) {
-        Removal_task task;
-        task.pair = tasks.size() / 2;
-        task.choices = {loop_choice(*loop, tm_, vertex_index),
-                        loop_choice(pair.partner(*loop), tm_, vertex_index)};
+        Removal_task task = removal_task(tasks.size() / 2, pair, *loop, tm_, vertex_index);
         task.choices.back().is_allowed = false;
         tasks.push_back(std::move(task));
       }
