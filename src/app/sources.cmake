@@ -52,9 +52,11 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/stl_reader.cpp
   read/vertex_data.cpp
   write/documents.cpp
+  write/dual_formats.cpp
   write/files.cpp
   write/rows.cpp
   write/mesh_writer.cpp
+  write/msh_writer.cpp
   write/pair_listing.cpp
   write/skeleton_formats.cpp
   write/tables.cpp

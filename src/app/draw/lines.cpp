@@ -54,7 +54,7 @@ template <bool is_binary> void write_lines_vtp(Text_writer& out, const Exported_
       cells.back().push_back(points.size() + i % line.points.size());
     points.insert(points.end(), line.points.begin(), line.points.end());
   }
-  Polydata_writer vtp(out, points.size(), 0, cells.size(), is_binary);
+  Vtk_writer vtp(out, Polydata_size{points.size(), 0, cells.size()}, is_binary);
   vtp.points(points, [](const Point& point) -> const Point& { return point; });
   vtp.cells("Lines", cells);
   vtp.begin("CellData", " Scalars=\"kind\"");

@@ -12,7 +12,7 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
-#include "write/Polydata_writer.h"
+#include "write/Vtk_writer.h"
 #include "write/files.h"
 #include "write/pair_listing.h"
 

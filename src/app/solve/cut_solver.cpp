@@ -49,10 +49,12 @@ using Tag = CGAL::Parallel_if_available_tag;
 
 // The loops of the pairs, and of each component all boundary curves but the last: as
 // `CGAL::dual_cuts()` has them.
-std::vector<Loop> basis_of(const Mesh& mesh, const Pairs& pairs, std::size_t number_of_components) {
+std::vector<Loop> basis_of(const Mesh& mesh,
+                           const Pairs& pairs,
+                           const std::vector<Loop>& curves,
+                           std::size_t number_of_components) {
   std::vector<Loop> basis;
   for_each_loop(pairs, [&](const Loop& loop, Loop_type, std::size_t) { basis.push_back(loop); });
-  const std::vector<Loop> curves = find_boundaries(mesh, false).curves;
   const std::vector<std::size_t> components = components_of_vertices(mesh, number_of_components);
   const auto component = [&](const Loop& curve) {
     return components[mesh.source(curve.steps().front().halfedge).idx()];
@@ -108,7 +110,9 @@ Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& prog
   result.statistics = solver.statistics();
   std::vector<std::vector<std::pair<Mesh::Halfedge_index, std::int64_t>>> cuts;
   CGAL::dual_cuts<Tag>(mesh, pairs, std::back_inserter(cuts));
-  const std::vector<Loop> basis = basis_of(mesh, pairs, solver.number_of_components());
+  result.boundaries = find_boundaries(mesh, false).curves;
+  const std::vector<Loop> basis =
+      basis_of(mesh, pairs, result.boundaries, solver.number_of_components());
   for(std::size_t i = 0; i < cuts.size(); ++i)
     result.cuts.push_back({basis[i], std::move(cuts[i])});
   progress.end();

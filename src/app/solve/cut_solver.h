@@ -51,6 +51,7 @@ struct Dual_cut
 struct Dual_cuts
 {
   std::vector<Dual_cut> cuts;
+  std::vector<Loop> boundaries;                     ///< all boundary curves
   CGAL::Handle_tunnel_loops::Statistics statistics; ///< of the loops
 };
 

@@ -10,7 +10,7 @@
 #include "write/skeleton_formats.h"
 
 #include "write/Graphml_writer.h"
-#include "write/Polydata_writer.h"
+#include "write/Vtk_writer.h"
 
 #include <cmath>
 #include <cstdint>
@@ -188,7 +188,7 @@ void write_skeleton_vtp(Text_writer& out, const Skeleton_answer& answer, bool is
     cells.push_back({static_cast<std::int64_t>(lines.size()), arc.component});
     lines.push_back(arc.points);
   }
-  Polydata_writer vtp(out, num_vertices(graph), alone.size(), lines.size(), is_binary);
+  Vtk_writer vtp(out, Polydata_size{num_vertices(graph), alone.size(), lines.size()}, is_binary);
   vtp.begin("PointData", " Scalars=\"MaximumInscribedSphereRadius\"");
   vtp.array("Float64", "MaximumInscribedSphereRadius", points,
             [&](auto v) { return graph[v].radius; });

@@ -11,7 +11,7 @@
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
 #include "app/words.h"
-#include "app/write/documents.h"
+#include "app/write/dual_formats.h"
 #include "app/write/files.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
@@ -37,6 +37,7 @@ struct Cut_command_options : Common_options
 void check_options(const Cut_command_options& options) {
   check_opened_mesh_format(options.opened_file);
   check_suffix(options.selection_file, ".selection.txt");
+  check_dual_format(options.dual_file);
   check_common_options(options);
 }
 
@@ -82,8 +83,7 @@ void run(const Cut_command_options& options) {
   write_files(options, mesh, answer);
   if(!options.dual_file.empty()) {
     Progress_bar bar(!options.is_quiet && is_terminal(stderr));
-    write_dual_cuts_json(options.dual_file, mesh,
-                         find_dual_cuts(mesh, options.number_of_threads, bar));
+    write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));
   }
   if(!options.is_quiet)
     show_text(words_of_cut(answer, read_seconds), options.opened_file == "-" ||
@@ -97,9 +97,10 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
              "the opened mesh, with a vertex for each side: .off .obj .ply");
   add_output(command, "--selection", "FILE.selection.txt", options.selection_file,
              "the edges, as a selection of CGAL");
-  add_output(command, "--dual", "FILE.json", options.dual_file,
+  add_output(command, "--dual", "FILE", options.dual_file,
              "for each handle and tunnel loop, and all boundary curves but one of each\n"
-             "component, a cut that crosses it once and no other");
+             "component, a cut that crosses it once and no other: as .json, or as lines with\n"
+             "the mesh, .msh .msh2 .vtu .vtp");
   add_lines_option(command, options, "the edges");
   add_picture_options(command, options, "the cut", false);
   add_view_options(command, options);
@@ -129,7 +130,7 @@ constexpr char cut_examples[] = R"(Examples:
                                                   for CGAL::Seam_mesh, and for CGAL's programs
   htloops cut part.off --through 17,4 --picture cut.png
                                                   through two vertices, and a look at it
-  htloops cut plate.off --dual cuts.json          jumps of potentials on a plate with holes
+  htloops cut plate.off --dual cuts.msh           jumps of potentials on a plate with holes
 )";
 
 } // namespace

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef HTLOOPS_POLYDATA_WRITER_H
-#define HTLOOPS_POLYDATA_WRITER_H
+#ifndef HTLOOPS_VTK_WRITER_H
+#define HTLOOPS_VTK_WRITER_H
 
 #include "mesh_types.h"
 #include "window/base64.h"
@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
-#include <vector>
 
 namespace htloops {
 
@@ -27,26 +26,39 @@ inline Text_writer& operator<<(Text_writer& out, const Point& point) {
   return out << point.x() << ' ' << point.y() << ' ' << point.z();
 }
 
-/// Writes points, and vertices and lines on them, as a VTK PolyData in a text of XML. Sections come
-/// in any order, and arrays in those that they belong to; those of cells have vertices first.
-/// Arrays are text, or bytes in base64 after their number, which is shorter.
-class Polydata_writer
+/// Of how many points and cells a VTK PolyData is.
+struct Polydata_size
+{
+  std::size_t points = 0, vertices = 0, lines = 0, polygons = 0;
+};
+
+/// The same of a VTK UnstructuredGrid.
+struct Grid_size
+{
+  std::size_t points = 0, cells = 0;
+};
+
+/// What VTK calls the cells of a grid.
+enum class Vtk_cell { VERTEX = 1, LINE = 3, POLYLINE = 4, TRIANGLE = 5, POLYGON = 7 };
+
+/// Writes points, and cells on them, as a VTK PolyData (.vtp) or UnstructuredGrid (.vtu) in a text
+/// of XML. Sections come in any order, and arrays in those that they belong to; those of cells of a
+/// PolyData have vertices first, then lines, then polygons. Arrays are text, or bytes in base64
+/// after their number, which is shorter.
+class Vtk_writer
 {
 public:
-  Polydata_writer(Text_writer& out,
-                  std::size_t number_of_points,
-                  std::size_t number_of_vertices,
-                  std::size_t number_of_lines,
-                  bool is_binary = false)
-      : out_(out)
-      , is_binary_(is_binary) {
-    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\""
-         << (is_binary ? "1.0" : "0.1") << "\" byte_order=\"LittleEndian\""
-         << (is_binary ? " header_type=\"UInt64\"" : "")
-         << ">\n<PolyData>\n"
-            "<Piece NumberOfPoints=\""
-         << number_of_points << "\" NumberOfVerts=\"" << number_of_vertices << "\" NumberOfLines=\""
-         << number_of_lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+  Vtk_writer(Text_writer& out, const Polydata_size& size, bool is_binary = false)
+      : Vtk_writer(out, "PolyData", is_binary) {
+    out_ << "<Piece NumberOfPoints=\"" << size.points << "\" NumberOfVerts=\"" << size.vertices
+         << "\" NumberOfLines=\"" << size.lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
+         << size.polygons << "\">\n";
+  }
+
+  Vtk_writer(Text_writer& out, const Grid_size& size, bool is_binary = false)
+      : Vtk_writer(out, "UnstructuredGrid", is_binary) {
+    out_ << "<Piece NumberOfPoints=\"" << size.points << "\" NumberOfCells=\"" << size.cells
+         << "\">\n";
   }
 
   /// `attributes` begin with a blank.
@@ -84,29 +96,50 @@ public:
     end("Points");
   }
 
-  /// writes a section of cells, of which each is the numbers of its points.
-  void cells(const std::string& section, const std::vector<std::vector<std::size_t>>& cells) {
+  /// writes a section of the cells of a PolyData, of which each is a range of numbers of points.
+  template <typename Cells> void cells(const std::string& section, const Cells& cells) {
     begin(section);
-    array("Int64", "connectivity", cells,
-          [](const std::vector<std::size_t>& points) { return Numbers_of_points{&points}; });
-    std::size_t end_of_cell = 0;
-    array("Int64", "offsets", cells, [&end_of_cell](const std::vector<std::size_t>& points) {
-      return end_of_cell += points.size();
-    });
+    connectivity(cells);
     end(section);
   }
 
-  void finish() { out_ << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
+  /// writes the cells of a grid; `type(cell)` is the type of one.
+  template <typename Cells, typename Type> void grid_cells(const Cells& cells, Type type) {
+    begin("Cells");
+    connectivity(cells);
+    array("UInt8", "types", cells, [&](const auto& cell) { return static_cast<int>(type(cell)); });
+    end("Cells");
+  }
+
+  void finish() { out_ << "</Piece>\n</" << type_ << ">\n</VTKFile>\n"; }
 
 private:
+  Vtk_writer(Text_writer& out, const char* type, bool is_binary)
+      : out_(out)
+      , type_(type)
+      , is_binary_(is_binary) {
+    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type << "\" version=\""
+         << (is_binary ? "1.0" : "0.1") << "\" byte_order=\"LittleEndian\""
+         << (is_binary ? " header_type=\"UInt64\"" : "") << ">\n<" << type << ">\n";
+  }
+
+  template <typename Cells> void connectivity(const Cells& cells) {
+    using Cell = typename Cells::value_type;
+    array("Int64", "connectivity", cells,
+          [](const Cell& points) { return Numbers_of_points<Cell>{&points}; });
+    std::size_t end_of_cell = 0;
+    array("Int64", "offsets", cells,
+          [&end_of_cell](const Cell& points) { return end_of_cell += points.size(); });
+  }
+
   // Of a cell.
-  struct Numbers_of_points
+  template <typename Cell> struct Numbers_of_points
   {
-    const std::vector<std::size_t>* points;
+    const Cell* points;
 
     friend Text_writer& operator<<(Text_writer& out, const Numbers_of_points& numbers) {
       const char* blank = "";
-      for(const std::size_t point : *numbers.points) {
+      for(const auto point : *numbers.points) {
         out << blank << point;
         blank = " ";
       }
@@ -136,15 +169,18 @@ private:
     for(int i = 0; i < 3; ++i)
       append(bytes, type, point[i]);
   }
-  static void append(std::string& bytes, const std::string& type, const Numbers_of_points& cell) {
-    for(const std::size_t point : *cell.points)
+  template <typename Cell>
+  static void
+  append(std::string& bytes, const std::string& type, const Numbers_of_points<Cell>& cell) {
+    for(const auto point : *cell.points)
       append(bytes, type, point);
   }
 
   Text_writer& out_;
+  const char* type_;
   bool is_binary_;
 };
 
 } // namespace htloops
 
-#endif // HTLOOPS_POLYDATA_WRITER_H
+#endif // HTLOOPS_VTK_WRITER_H
