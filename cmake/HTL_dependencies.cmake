@@ -55,6 +55,8 @@ if(HTL_BUILD_TOOL)
   htl_find_optional(JSON nlohmann_json "the tool htloops is not built")
   htl_find_optional(ZLIB ZLIB "the tool htloops is not built")
   htl_find_optional(PNG PNG "htloops writes no pictures")
+  htl_find_optional(GLTF TinyGLTF "htloops does not read glTF")
+  htl_find_optional(EXPAT EXPAT "htloops does not read 3MF")
   # Words in pictures: stb draws letters, of a font that is put into the program.
   find_path(HTL_STB stb/stb_truetype.h)
   find_file(HTL_FONT DejaVuSansMono-Bold.ttf

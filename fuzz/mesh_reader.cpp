@@ -13,6 +13,7 @@
 
 #include "failure.h"
 #include "mend/mending.h"
+#include "mend/mesh_reader.h"
 #include "read/input_file.h"
 #include "read/soup.h"
 #include "read/soup_diagnosis.h"
@@ -33,7 +34,7 @@ void build_if_sound(const Soup& soup) {
 
 void fuzz_mesh_file(const std::string& format, const std::string& input) {
   try {
-    const Soup soup = read_soup(Input_file::in_memory("mesh." + format, input));
+    const Soup soup = read_whole_soup(Input_file::in_memory("mesh." + format, input));
     build_if_sound(soup);
     for(const Remedies& remedies :
         {Remedies{true, false}, Remedies{false, true}, Remedies{true, true}})

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 seconds="${1:?how many seconds for each target}"
 shift
 targets=("$@")
-[ "${#targets[@]}" -gt 0 ] || targets=(off obj ply stl loops_json complexes)
+[ "${#targets[@]}" -gt 0 ] || targets=(off obj ply stl glb gltf 3mf vtp vtu gii surf msh off.gz loops_json complexes)
 
 cmake --preset fuzz
 cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}"

@@ -40,27 +40,52 @@ list(APPEND HTLOOPS_APP_SOURCES
   mend/point_welding.cpp
   mend/triangulation.cpp
   mend/vertex_splitting.cpp
+  read/Vtk_document.cpp
+  read/Zip_content.cpp
   read/input_file.cpp
   read/loops_reader.cpp
-  read/obj_reader.cpp
-  read/off_reader.cpp
-  read/ply_reader.cpp
   read/skeleton_reader.cpp
   read/soup.cpp
   read/soup_diagnosis.cpp
   read/sources.cpp
-  read/stl_reader.cpp
   read/vertex_data.cpp
+  read/xml.cpp
+  read/meshes/freesurfer_reader.cpp
+  read/meshes/gifti_reader.cpp
+  read/meshes/mesh_formats.cpp
+  read/meshes/msh_reader.cpp
+  read/meshes/obj_reader.cpp
+  read/meshes/off_reader.cpp
+  read/meshes/ply_reader.cpp
+  read/meshes/stl_reader.cpp
+  read/meshes/vtk_reader.cpp
+  write/Gltf_document.cpp
+  write/Zip_archive.cpp
   write/documents.cpp
   write/dual_formats.cpp
   write/files.cpp
   write/rows.cpp
   write/mesh_writer.cpp
-  write/msh_writer.cpp
   write/pair_listing.cpp
   write/skeleton_formats.cpp
   write/tables.cpp
-  write/throat_tables.cpp)
+  write/throat_tables.cpp
+  write/meshes/freesurfer_writer.cpp
+  write/meshes/gifti_writer.cpp
+  write/meshes/glb_writer.cpp
+  write/meshes/msh_writer.cpp
+  write/meshes/stl_writer.cpp
+  write/meshes/text_writers.cpp
+  write/meshes/three_mf_writer.cpp
+  write/meshes/vtk_writers.cpp)
+
+# What wants a library that may be missing.
+if(HTL_HAS_GLTF)
+  list(APPEND HTLOOPS_APP_SOURCES read/meshes/gltf_reader.cpp)
+endif()
+if(HTL_HAS_EXPAT)
+  list(APPEND HTLOOPS_APP_SOURCES read/meshes/three_mf_reader.cpp)
+endif()
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES

@@ -384,12 +384,12 @@ run(0 check open.off open.json)
 run(1 check open.off loops.json)
 
 # A vertex that is nowhere is named, and is the fault of the mesh, in every format.
-foreach(extension IN ITEMS off obj ply stl)
+foreach(extension IN ITEMS off obj ply ascii.stl)
   run(0 generate torus --faces 1000 -o torus.${extension} --quiet)
   file(READ "${FOLDER}/torus.${extension}" text)
   foreach(number IN ITEMS nan inf -inf)
     # The first coordinate of a point.
-    if(extension STREQUAL "stl")
+    if(extension STREQUAL "ascii.stl")
       string(REGEX REPLACE "(outer loop\nvertex [^\n]*\nvertex) [^ ]+" "\\1 ${number}" wrong "${text}")
     elseif(extension STREQUAL "ply")
       string(REGEX REPLACE "(end_header\n)[^ ]+" "\\1${number}" wrong "${text}")

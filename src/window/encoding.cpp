@@ -9,10 +9,7 @@
 
 #include "encoding.h"
 
-#include <zlib.h>
-
-#include <memory>
-#include <stdexcept>
+#include "packing.h"
 
 namespace htl_window {
 namespace {
@@ -120,32 +117,6 @@ private:
 };
 
 } // namespace
-
-std::string deflated(std::string_view bytes) {
-  constexpr int raw_window_bits = -15, memory_level = 9;
-  z_stream stream{};
-  if(deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, raw_window_bits, memory_level,
-                  Z_DEFAULT_STRATEGY) != Z_OK)
-    throw std::runtime_error("zlib cannot be used");
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, deflateEnd);
-  std::string result;
-  constexpr std::size_t longest = (std::numeric_limits<uInt>::max)(), step = std::size_t(1) << 18;
-  do {
-    const std::string_view part = bytes.substr(0, longest);
-    bytes.remove_prefix(part.size());
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
-    stream.avail_in = static_cast<uInt>(part.size());
-    do {
-      const std::size_t size = result.size();
-      result.resize(size + step);
-      stream.next_out = reinterpret_cast<Bytef*>(&result[size]);
-      stream.avail_out = step;
-      deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
-      result.resize(size + step - stream.avail_out);
-    } while(stream.avail_out == 0);
-  } while(!bytes.empty());
-  return result;
-}
 
 Packed packed(const std::vector<const Stream*>& streams) {
   Packed result;

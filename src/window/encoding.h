@@ -81,10 +81,6 @@ private:
   Point low_ = {infinity, infinity, infinity}, high_ = {-infinity, -infinity, -infinity};
 };
 
-/// bytes as a stream of RFC 1951, which browsers read as "deflate-raw". Fast rather than small:
-/// what is coded here has been made of small numbers already, which are short words.
-std::string deflated(std::string_view bytes);
-
 /// Numbers one after the other: seven bits in each byte, the least first; the eighth says that more
 /// follow.
 class Stream

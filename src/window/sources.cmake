@@ -2,6 +2,7 @@
 # nlohmann-json.
 set(HTL_WINDOW_SOURCES
   encoding.cpp
+  packing.cpp
   page.cpp)
 
 # htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines and after

@@ -10,15 +10,13 @@
 #include "draw/gltf.h"
 
 #include "failure.h"
-#include "write/documents.h"
+#include "write/Gltf_document.h"
 #include "write/files.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <map>
-#include <type_traits>
 
 namespace htloops {
 namespace {
@@ -130,7 +128,7 @@ std::vector<Vector> normals_of(const Drawn_surface& surface, double diagonal) {
   return normals;
 }
 
-// A document of glTF and its buffer.
+// Surfaces around the middle of a box.
 class Gltf
 {
 public:
@@ -148,84 +146,13 @@ public:
     std::vector<Vector> points;
     for(const Vector& p : surface.points)
       points.push_back(sum(p, -1., middle_));
-    const std::size_t positions = accessor_of(points);
-    add_bounds(json_["accessors"][positions], box_of(points));
-    const Json attributes = {{"POSITION", positions}, {"NORMAL", accessor_of(surface.normals)}};
-    const Json primitive = {{"attributes", attributes},
-                            {"indices", accessor_of(surface.triangles)},
-                            {"material", material(kind, colour, opacity)}};
-    json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
-    json_["nodes"].push_back({{"name", name}, {"mesh", json_["meshes"].size() - 1}});
+    document_.add_node(name, points, surface.normals, surface.triangles,
+                       {{"material", material(kind, colour, opacity)}});
   }
 
-  // The file: a header, and two chunks of whole words.
-  std::string file() {
-    Json children = Json::array();
-    for(std::size_t i = 0; i < json_["nodes"].size(); ++i)
-      children.push_back(i);
-    json_["nodes"].push_back({{"name", "all"}, {"translation", middle_}, {"children", children}});
-    json_["scenes"] = Json::array({{{"nodes", Json::array({children.size()})}}});
-    json_["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
-    std::string text = text_of(json_);
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string result = "glTF";
-    append_word(result, 2);
-    append_word(result, static_cast<std::uint32_t>(28 + text.size() + buffer_.size()));
-    append_chunk(result, "JSON", text);
-    append_chunk(result, std::string("BIN\0", 4), buffer_);
-    return result;
-  }
+  std::string file() { return document_.file({{"name", "all"}, {"translation", middle_}}); }
 
 private:
-  static void append_word(std::string& bytes, std::uint32_t word) {
-    for(int shift = 0; shift < 32; shift += 8)
-      bytes += static_cast<char>(word >> shift & 255u);
-  }
-
-  static void
-  append_chunk(std::string& bytes, const std::string& kind, const std::string& content) {
-    append_word(bytes, static_cast<std::uint32_t>(content.size()));
-    bytes += kind + content;
-  }
-
-  static std::uint32_t word_of(std::uint32_t number) { return number; }
-
-  static std::uint32_t word_of(double value) {
-    const auto number = static_cast<float>(value);
-    std::uint32_t word;
-    std::memcpy(&word, &number, sizeof word);
-    return word;
-  }
-
-  // Vectors of single precision, or the corners of triangles one by one.
-  template <typename Number>
-  std::size_t accessor_of(const std::vector<std::array<Number, 3>>& rows) {
-    constexpr bool are_corners = std::is_integral_v<Number>;
-    constexpr int array_buffer = 34962, element_array_buffer = 34963;
-    constexpr int single = 5126, unsigned_number = 5125; // types of numbers
-    const std::size_t begin = buffer_.size();
-    for(const auto& row : rows)
-      for(const Number number : row)
-        append_word(buffer_, word_of(number));
-    json_["bufferViews"].push_back({{"buffer", 0},
-                                    {"byteOffset", begin},
-                                    {"byteLength", buffer_.size() - begin},
-                                    {"target", are_corners ? element_array_buffer : array_buffer}});
-    json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
-                                  {"componentType", are_corners ? unsigned_number : single},
-                                  {"count", rows.size() * (are_corners ? 3u : 1u)},
-                                  {"type", are_corners ? "SCALAR" : "VEC3"}});
-    return json_["accessors"].size() - 1;
-  }
-
-  // As they are after rounding.
-  static void add_bounds(Json& accessor, const CGAL::Bbox_3& box) {
-    for(int i = 0; i < 3; ++i)
-      accessor["min"].push_back(static_cast<float>(box.min(i)));
-    for(int i = 0; i < 3; ++i)
-      accessor["max"].push_back(static_cast<float>(box.max(i)));
-  }
-
   // One for each colour; glTF wants the amount of light.
   std::size_t material(const std::string& kind, const Colour& colour, double opacity) {
     const auto [position, is_new] = materials_.try_emplace(colour, materials_.size());
@@ -234,7 +161,7 @@ private:
       for(const unsigned char part : colour)
         light.push_back(std::pow(part / 255., 2.2));
       light.push_back(opacity);
-      json_["materials"].push_back(
+      document_.add_material(
           {{"name", kind},
            {"pbrMetallicRoughness",
             {{"baseColorFactor", light}, {"metallicFactor", 0.}, {"roughnessFactor", 0.7}}},
@@ -245,16 +172,7 @@ private:
   }
 
   Vector middle_;
-  Json json_ = {{"asset", {{"version", "2.0"}, {"generator", "htloops"}}},
-                {"scene", 0},
-                {"scenes", Json::array()},
-                {"nodes", Json::array()},
-                {"meshes", Json::array()},
-                {"materials", Json::array()},
-                {"accessors", Json::array()},
-                {"bufferViews", Json::array()},
-                {"buffers", Json::array()}};
-  std::string buffer_;
+  Gltf_document document_;
   std::map<Colour, std::size_t> materials_;
 };
 

@@ -11,6 +11,8 @@
 
 #include "failure.h"
 #include "interrupt.h"
+#include "mend/steps.h"
+#include "read/meshes/mesh_formats.h"
 
 #include <algorithm>
 #include <utility>
@@ -45,7 +47,7 @@ std::string words_on_changes(const std::vector<Change>& changes) {
                          const Remedies& remedies,
                          const Mended_soup& mended) {
   const std::string remedy =
-      words_on_remedy(remedies.any() ? read_soup(file) : mended.soup, defects, remedies);
+      words_on_remedy(remedies.any() ? read_whole_soup(file) : mended.soup, defects, remedies);
   throw Failure(Exit_code::UNACCEPTABLE_MESH,
                 message(file.name(), defects) + remedy + words_on_changes(mended.changes));
 }
@@ -96,12 +98,17 @@ std::string words_for(const Remedies& remedies,
 
 } // namespace
 
+Soup read_whole_soup(const Input_file& file) {
+  Soup soup = read_soup(file);
+  return soup.facts.is_parted_at_seams ? join_seams(std::move(soup)) : soup;
+}
+
 Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
   Mended_soup mended;
   if(remedies.any())
-    mended = mend(read_soup(file), remedies);
+    mended = mend(read_whole_soup(file), remedies);
   else {
-    mended.soup = read_soup(file);
+    mended.soup = read_whole_soup(file);
     file.close();
   }
   throw_if_interrupted();
@@ -111,7 +118,7 @@ Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
     refuse(file, built.defects, remedies, mended);
   Face_cuts cuts = cuts_of(built.mesh, mended);
   return {std::move(built.mesh), std::move(mended.changes), std::move(mended.origins),
-          std::move(cuts)};
+          std::move(cuts), std::move(mended.soup.facts)};
 }
 
 Mesh read_mesh(Input_file file) { return read_mesh(std::move(file), Remedies()).mesh; }

@@ -21,6 +21,10 @@
 
 namespace htloops {
 
+/// reads a mesh. Where a format parts vertices, as glTF does where normals differ, those at the
+/// same place along open edges become one, and points that no face has are left out.
+Soup read_whole_soup(const Input_file& file);
+
 /// A mesh that was read, and what has been done to it.
 struct Mended_mesh
 {
@@ -28,6 +32,7 @@ struct Mended_mesh
   std::vector<Change> changes;
   std::vector<std::uint32_t> origins; ///< of each vertex that is not in the file, one that is
   Face_cuts cuts;
+  File_facts facts;
 };
 
 /// reads a mesh and applies remedies; its vertices keep the numbers that they have in the file, new

@@ -221,4 +221,29 @@ private:
 
 bool weld_points(Mended_soup& mended) { return Welder(mended.soup).run(); }
 
+namespace {
+
+template <typename Visit> void for_each_corner(Soup& soup, Visit visit) {
+  for(Soup_face& face : soup.faces)
+    std::for_each(face.begin(), face.end(), visit);
+  std::for_each(soup.further_corners.begin(), soup.further_corners.end(), visit);
+}
+
+} // namespace
+
+Soup join_seams(Soup soup) {
+  Welder(soup).run();
+  std::vector<std::uint32_t> number(soup.points.size(), no_point);
+  for_each_corner(soup, [&number](std::uint32_t v) { number[v] = 0; });
+  std::uint32_t used = 0;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(number[v] != no_point) {
+      soup.points[used] = soup.points[v];
+      number[v] = used++;
+    }
+  soup.points.erase(soup.points.begin() + used, soup.points.end());
+  for_each_corner(soup, [&number](std::uint32_t& v) { v = number[v]; });
+  return soup;
+}
+
 } // namespace htloops

@@ -99,6 +99,9 @@ inline Exact_point exact_point(const Point& p) { return {p.x(), p.y(), p.z()}; }
 /// a mesh without such edges as it is. True if anything was welded; see `report_vertices()`.
 bool weld_points(Mended_soup& mended);
 
+/// does the same, and drops points that no face has; the others keep their order.
+Soup join_seams(Soup soup);
+
 /// takes out corners that name the vertex before them again, and faces of which no three are left.
 void drop_degenerate_faces(Mended_soup& mended);
 

@@ -11,6 +11,7 @@
 
 #include "failure.h"
 #include "interrupt.h"
+#include "window/packing.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -20,6 +21,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 namespace htloops {
@@ -64,11 +66,28 @@ std::string read_whole_file(const std::string& file) {
 
 Input_file::Input_file(std::string name, const std::string& format)
     : name_(name == "-" ? "the standard input" : name)
-    , format_(format.empty() ? "" : "." + format)
-    , content_(std::make_shared<const std::string>(read_whole_file(name))) {}
+    , format_(format.empty() ? "" : "." + format) {
+  set_content(read_whole_file(name));
+}
+
+void Input_file::set_content(std::string content) {
+  is_packed_ = content.compare(0, 2, "\x1F\x8B") == 0;
+  if(is_packed_) {
+    std::optional<std::string> unpacked = htl_window::inflated(content);
+    if(!unpacked)
+      fail_to_read(name_, "it was packed by gzip, and is broken or cut off");
+    content = std::move(*unpacked);
+  }
+  content_ = std::make_shared<const std::string>(std::move(content));
+}
 
 bool Input_file::is_of_format(std::string_view extension) const {
-  return format_.empty() ? boost::algorithm::iends_with(name_, extension) : format_ == extension;
+  if(!format_.empty())
+    return format_ == extension;
+  std::string_view name = name_;
+  if(is_packed_ && boost::algorithm::iends_with(name, ".gz"))
+    name.remove_suffix(3);
+  return boost::algorithm::iends_with(name, extension);
 }
 
 void fail_to_read(const std::string& file, const std::string& problem) {

@@ -23,14 +23,15 @@ class Input_file
 {
 public:
   /// `-` is the standard input. Throws `Failure` if the file cannot be read. `format` is how the
-  /// name of a file of its format ends, `off` say; empty if its own name tells.
+  /// name of a file of its format ends, `off` say; empty if its own name tells. What gzip has
+  /// packed is unpacked, and `.gz` is no part of how its name ends.
   Input_file(std::string name, const std::string& format = "");
 
   /// a file that is in memory already; its name says of which format it is.
   static Input_file in_memory(std::string name, std::string content) {
     Input_file file;
     file.name_ = std::move(name);
-    file.content_ = std::make_shared<const std::string>(std::move(content));
+    file.set_content(std::move(content));
     return file;
   }
 
@@ -48,8 +49,11 @@ public:
 private:
   Input_file() = default;
 
+  void set_content(std::string content);
+
   std::string name_;
   std::string format_; // with the dot; empty if the name tells
+  bool is_packed_ = false;
   std::shared_ptr<const std::string> content_;
 };
 

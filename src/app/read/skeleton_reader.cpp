@@ -9,18 +9,15 @@
 
 #include "read/skeleton_reader.h"
 
-#include "read/formats.h"
+#include "read/Vtk_document.h"
 #include "read/json_node.h"
+#include "read/meshes/formats.h"
 #include "read/sources.h"
-#include "window/base64.h"
-
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
+#include "read/xml.h"
 
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -296,146 +293,29 @@ Skeleton_record read_polylines(const Input_file& file) {
 
 // ---- XML
 
-using Tree = boost::property_tree::ptree;
-
-Tree read_xml(const Input_file& file) {
-  Tree tree;
-  std::istringstream stream{std::string(file.content())};
-  try {
-    boost::property_tree::read_xml(stream, tree);
-  } catch(const boost::property_tree::xml_parser_error& error) {
-    fail_to_read(file.name(),
-                 "it is not XML: " + error.message() + " in line " + std::to_string(error.line()));
-  }
-  return tree;
-}
-
-std::string attribute(const Tree& tree, const std::string& name) {
-  return tree.get("<xmlattr>." + name, std::string());
-}
-
-std::vector<double> numbers(const Input_file& file, const std::string& content) {
-  Text_source text(file.name(), content);
-  std::vector<double> numbers;
-  while(text.skip_to_content()) {
-    double x;
-    if(!text.read(x))
-      fail_to_read(file.name(),
-                   "there is no number where one should be: " + in_quotes(text.word()));
-    numbers.push_back(x);
-  }
-  return numbers;
-}
-
-// Reads the next number; false if there is none.
-using Read_number = bool (*)(Binary_source&, double&);
-
-struct Vtk_type
-{
-  const char* name;
-  Read_number read;
-};
-
-constexpr Vtk_type vtk_types[] = {
-    {"Float64", read_as<double>},     {"Float32", read_as<float>},
-    {"Int64", read_as<std::int64_t>}, {"UInt64", read_as<std::uint64_t>},
-    {"Int32", read_as<std::int32_t>}, {"UInt32", read_as<std::uint32_t>},
-    {"Int16", read_as<std::int16_t>}, {"UInt16", read_as<std::uint16_t>},
-    {"Int8", read_as<std::int8_t>},   {"UInt8", read_as<std::uint8_t>},
-};
-
 class Vtp_reader
 {
 public:
   explicit Vtp_reader(const Input_file& file)
       : file_(file)
+      , document_(file)
       , lines_(file, true) {}
 
   Skeleton_record read() {
-    if(file_.content().find("<AppendedData") != std::string_view::npos) // it may not be XML then
-      fail_at_packed_arrays();
-    const Tree tree = read_xml(file_);
-    const auto poly_data = tree.get_child_optional("VTKFile.PolyData");
-    if(!poly_data)
+    const Xml_tree* poly_data = document_.data_set("PolyData");
+    if(poly_data == nullptr)
       fail_to_read(file_.name(), "it is no PolyData of VTK");
-    const Tree& root = tree.get_child("VTKFile");
-    is_compressed_ = !attribute(root, "compressor").empty();
-    is_little_endian_ = attribute(root, "byte_order") != "BigEndian";
-    read_header_ = attribute(root, "header_type") == "UInt64" ? read_as<std::uint64_t>
-                                                              : read_as<std::uint32_t>;
-    for(const auto& [name, piece] : *poly_data)
-      if(name == "Piece")
-        read_piece(piece);
+    Vtk_document::for_each_piece(*poly_data, [this](const Xml_tree& piece) { read_piece(piece); });
     return {lines_.finish(), {}};
   }
 
 private:
-  using Cells = std::vector<std::vector<std::size_t>>;
-
-  [[noreturn]] void fail_at_packed_arrays() const {
-    fail_to_read(file_.name(),
-                 "its arrays are compressed or appended; save it from ParaView with the data mode "
-                 "Ascii, or with Binary and the compressor type None");
-  }
-
-  // An array of a section; empty if there is none.
-  std::vector<double>
-  array(const Tree& piece, const std::string& section, const std::string& name) const {
-    if(const auto arrays = piece.get_child_optional(section))
-      for(const auto& [kind, array] : *arrays)
-        if(kind == "DataArray" && (name.empty() || attribute(array, "Name") == name))
-          return attribute(array, "format") == "ascii" ? numbers(file_, array.data())
-                                                       : numbers_of_bytes(array);
-    return {};
-  }
-
-  // In base64, after the number of bytes.
-  std::vector<double> numbers_of_bytes(const Tree& array) const {
-    if(attribute(array, "format") != "binary" || is_compressed_)
-      fail_at_packed_arrays();
-    const std::string bytes = htl_window::bytes_of_base64(array.data());
-    Binary_source source(file_.name(), bytes, 0, is_little_endian_);
-    double size;
-    if(!read_header_(source, size) || !(size <= static_cast<double>(source.bytes_left())))
-      fail_to_read(file_.name(), "an array has fewer bytes than it says");
-    const std::size_t rest = source.bytes_left() - static_cast<std::size_t>(size);
-    const Read_number read_next = reader_of(attribute(array, "type"));
-    std::vector<double> numbers;
-    for(double x; source.bytes_left() > rest && read_next(source, x);)
-      numbers.push_back(x);
-    return numbers;
-  }
-
-  Read_number reader_of(const std::string& type) const {
-    for(const Vtk_type& known : vtk_types)
-      if(type == known.name)
-        return known.read;
-    fail_to_read(file_.name(),
-                 "it has numbers of the type " + in_quotes(type) + ", which cannot be read here");
-  }
-
-  Cells cells(const Tree& piece, const std::string& section, std::size_t first) const {
-    const std::vector<double> points = array(piece, section, "connectivity");
-    Cells cells;
-    std::size_t begin = 0;
-    for(const double end : array(piece, section, "offsets")) {
-      cells.emplace_back();
-      for(; begin < end && begin < points.size(); ++begin)
-        cells.back().push_back(first + index(points[begin]));
-    }
-    return cells;
-  }
-
-  std::size_t index(double number) const {
-    if(!(number >= 0. && number < 1e15))
-      fail_to_read(file_.name(), "a line passes a point that is not there");
-    return static_cast<std::size_t>(number);
-  }
-
-  void read_piece(const Tree& piece) {
-    const std::vector<double> points = array(piece, "Points", ""),
-                              inlets = array(piece, "PointData", "Inlet"),
-                              components = array(piece, "CellData", "Component");
+  void read_piece(const Xml_tree& piece) {
+    const auto array = [&](const char* section, const char* name) {
+      return document_.array(piece, section, name);
+    };
+    const Vtk_document::Numbers points = array("Points", ""), inlets = array("PointData", "Inlet"),
+                                components = array("CellData", "Component");
     const std::size_t first = lines_.number_of_points(), n = points.size() / 3;
     for(std::size_t i = 0; i < n; ++i) {
       const std::size_t p = lines_.add_point(
@@ -443,20 +323,26 @@ private:
       if(inlets.size() == n)
         lines_.set_inlet(p, inlets[i] != 0.);
     }
-    Cells all = cells(piece, "Verts", first), more = cells(piece, "Lines", first);
+    Vtk_document::Cells all = document_.cells(piece, "Verts", first),
+                        more = document_.cells(piece, "Lines", first);
     all.insert(all.end(), more.begin(), more.end());
     for(std::size_t c = 0; c < all.size(); ++c) {
       lines_.add_line(all[c]);
       if(c < components.size())
         for(const std::size_t p : all[c])
-          lines_.set_component(p, index(components[c]));
+          lines_.set_component(p, component(components[c]));
     }
   }
 
+  std::size_t component(double number) const {
+    if(!(number >= 0. && number < 1e15))
+      fail_to_read(file_.name(), "a line has a component that is no count");
+    return static_cast<std::size_t>(number);
+  }
+
   const Input_file& file_;
+  Vtk_document document_;
   Line_collector lines_;
-  bool is_compressed_ = false, is_little_endian_ = true;
-  Read_number read_header_ = nullptr; // the number of bytes of an array
 };
 
 class Graphml_reader
@@ -467,42 +353,37 @@ public:
       , lines_(file) {}
 
   Skeleton_record read() {
-    const Tree tree = read_xml(file_);
+    const Xml_tree tree = read_xml(file_);
     const auto root = tree.get_child_optional("graphml");
     const auto graph = tree.get_child_optional("graphml.graph");
     if(!root || !graph)
       fail_to_read(file_.name(), "it is no GraphML");
     for(const auto& [kind, key] : *root)
       if(kind == "key")
-        name_of_key_[attribute(key, "id")] = attribute(key, "attr.name");
+        name_of_key_[xml_attribute(key, "id")] = xml_attribute(key, "attr.name");
     for(const auto& [kind, node] : *graph)
       if(kind == "node")
         add_node(node);
     for(const auto& [kind, edge] : *graph)
       if(kind == "edge") {
-        const std::size_t from = number_of(attribute(edge, "source"));
-        lines_.add_edge(from, number_of(attribute(edge, "target")));
+        const std::size_t from = number_of(xml_attribute(edge, "source"));
+        lines_.add_edge(from, number_of(xml_attribute(edge, "target")));
       }
     return {lines_.finish(), {}};
   }
 
 private:
-  // A name with a dot, as of an attribute of XML, is no path.
-  static std::string attribute(const Tree& tree, const std::string& name) {
-    const auto attributes = tree.get_child_optional("<xmlattr>");
-    return attributes ? attributes->get(Tree::path_type(name, '/'), std::string()) : std::string();
-  }
-
-  void add_node(const Tree& node) {
+  void add_node(const Xml_tree& node) {
     std::map<std::string, std::string> data;
     for(const auto& [kind, value] : node)
       if(kind == "data") {
-        const auto name = name_of_key_.find(attribute(value, "key"));
-        data[name == name_of_key_.end() ? attribute(value, "key") : name->second] = value.data();
+        const auto name = name_of_key_.find(xml_attribute(value, "key"));
+        data[name == name_of_key_.end() ? xml_attribute(value, "key") : name->second] =
+            value.data();
       }
-    const std::string id = attribute(node, "id");
+    const std::string id = xml_attribute(node, "id");
     const auto number = [&](const char* name) {
-      const std::vector<double> all = numbers(file_, data[name]);
+      const std::vector<double> all = numbers_of_text(file_, data[name]);
       if(all.size() != 1)
         fail_to_read(file_.name(), "the node " + id + " has no " + name);
       return all.front();

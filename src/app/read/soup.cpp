@@ -9,11 +9,9 @@
 
 #include "read/soup.h"
 
-#include "read/formats.h"
 #include "read/input_file.h"
 
 #include <cstring>
-#include <string_view>
 
 namespace htloops {
 namespace {
@@ -35,18 +33,23 @@ std::size_t hash_of(const Point& point) {
   return static_cast<std::size_t>(hash);
 }
 
-bool is_of_text(char c) { return c == '\t' || c == '\n' || c == '\r' || (' ' <= c && c <= '~'); }
-
-// By the mark and the first character: the header of a binary file may begin as it likes.
-bool is_utf16(std::string_view content) {
-  if(content.size() < 4)
-    return false;
-  const std::string_view mark = content.substr(0, 2);
-  return (mark == "\xFF\xFE" && is_of_text(content[2]) && content[3] == '\0') ||
-         (mark == "\xFE\xFF" && content[2] == '\0' && is_of_text(content[3]));
-}
-
 } // namespace
+
+void check_corners(const std::string& file, const Soup& soup) {
+  const std::size_t n = soup.points.size();
+  auto further = soup.further_corners.begin();
+  for(std::size_t f = 0; f < soup.faces.size(); ++f) {
+    const auto check = [&](std::uint32_t vertex) {
+      if(vertex >= n)
+        fail_to_read(file, no_such_vertex(f, vertex, n));
+    };
+    const Soup_face& face = soup.faces[f];
+    for(const std::uint32_t vertex : face)
+      check(vertex);
+    for(std::size_t i = 3; i < face.size(); ++i)
+      check(*further++);
+  }
+}
 
 std::uint32_t Point_merger::number(const Point& point) {
   if(!is_finite(point)) {
@@ -78,22 +81,6 @@ void Point_merger::grow() {
   for(std::size_t i = 0; i < points_.size(); ++i)
     if(is_finite(points_[i]))
       slots_[slot_of(points_[i])] = static_cast<std::uint32_t>(i);
-}
-
-Soup read_soup(const Input_file& file) {
-  if(is_utf16(file.content()))
-    fail_to_read(file.name(), "the file is UTF-16; save it as UTF-8 or ASCII");
-  if(file.is_of_format(".off"))
-    return read_off(file.name(), file.content());
-  if(file.is_of_format(".obj"))
-    return read_obj(file.name(), std::string(file.content()));
-  if(file.is_of_format(".ply"))
-    return read_ply(file.name(), file.content());
-  if(file.is_of_format(".stl"))
-    return read_stl(file.name(), file.content());
-  fail_to_read(file.name(),
-               "its format, which follows from the extension, is not supported; those that are: "
-               ".off .obj .ply .stl (--format says which one it is whatever its name)");
 }
 
 } // namespace htloops

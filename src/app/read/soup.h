@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_SOUP_H
 #define HTLOOPS_SOUP_H
 
+#include "Unit.h"
 #include "mesh_types.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -17,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +47,18 @@ private:
   std::size_t size_ = 0;
 };
 
+/// What a file says besides points and faces.
+struct File_facts
+{
+  Unit unit = Unit::NONE; ///< of the coordinates
+  /// What a surface of FreeSurfer has after its faces, as it stands there: the geometry of the
+  /// volume.
+  std::string volume_geometry = {};
+  std::vector<std::string> unread = {}; ///< what is not read, in words
+  /// Whether vertices are parted where normals or texture coordinates differ, as in glTF.
+  bool is_parted_at_seams = false;
+};
+
 /// Points and faces as they stand in a file, nothing known about them.
 struct Soup
 {
@@ -55,6 +69,7 @@ struct Soup
   std::vector<Soup_face> faces;
   /// What faces of more than three vertices have from the fourth on, one face after the other.
   std::vector<std::uint32_t> further_corners = {};
+  File_facts facts = {};
 
   /// sets a corner of the face that is being read; corners come in their order.
   void set_corner(Soup_face& face, std::size_t i, std::uint32_t vertex) {
@@ -64,17 +79,22 @@ struct Soup
       further_corners.push_back(vertex);
   }
 
+  /// adds a face of any numbers; those that no vertex can have become the largest one.
+  template <typename Range> void add_face(const Range& corners) {
+    constexpr auto largest = (std::numeric_limits<std::uint32_t>::max)();
+    Soup_face face;
+    face.resize(corners.size());
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      set_corner(face, i,
+                 static_cast<std::uint64_t>(corners[i]) < largest
+                     ? static_cast<std::uint32_t>(corners[i])
+                     : largest);
+    faces.push_back(face);
+  }
+
   /// the vertex at which halfedge 3 * face + i, from corner i to corner i + 1, begins.
   std::uint32_t source(std::uint32_t halfedge) const { return faces[halfedge / 3][halfedge % 3]; }
 };
-
-class Input_file;
-
-/// reads OFF, OBJ, PLY and STL, by the extension of the file name.
-/// The vertices keep the order of the file; those of an STL file, which has none, are numbered as
-/// they come, equal points being one vertex. Throws `Failure` if the file cannot be read, ends too
-/// early, or names a vertex that is not there.
-Soup read_soup(const Input_file& file);
 
 /// the halfedge after one in its triangle, where halfedges are numbered by triangles.
 inline std::uint32_t next_in_triangle(std::uint32_t halfedge) {
@@ -95,6 +115,9 @@ no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertice
   return name_of_face(face) + " names vertex " + std::to_string(vertex) + " of " +
          std::to_string(number_of_vertices) + " (they count from " + std::to_string(first) + ")";
 }
+
+/// throws `Failure` if a face names a vertex that is not there.
+void check_corners(const std::string& file, const Soup& soup);
 
 /// How often something was found, and where first.
 class Finding

@@ -9,7 +9,7 @@
 
 #include "read/vertex_data.h"
 
-#include "read/formats.h"
+#include "read/meshes/formats.h"
 #include "read/sources.h"
 
 #include <algorithm>

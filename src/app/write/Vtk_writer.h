@@ -12,11 +12,11 @@
 
 #include "mesh_types.h"
 #include "window/base64.h"
+#include "write/bytes.h"
 #include "write/files.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 namespace htloops {
@@ -81,7 +81,7 @@ public:
       for(const auto& element : range)
         append(bytes, type, value(element));
       std::string header;
-      append_bytes(header, std::uint64_t(bytes.size()), 8);
+      append_bytes(header, std::uint64_t(bytes.size()));
       out_ << htl_window::base64_of(header + bytes) << '\n';
     } else
       for(const auto& element : range)
@@ -147,23 +147,15 @@ private:
     }
   };
 
-  // The lowest byte first.
-  static void append_bytes(std::string& bytes, std::uint64_t bits, int number) {
-    for(int i = 0; i < number; ++i)
-      bytes += static_cast<char>(bits >> (8 * i) & 255u);
-  }
-
   // As a number of a type.
   template <typename Number>
   static void append(std::string& bytes, const std::string& type, Number value) {
-    if(type == "Float64") {
-      const double number = static_cast<double>(value);
-      std::uint64_t bits;
-      static_assert(sizeof bits == sizeof number);
-      std::memcpy(&bits, &number, sizeof bits);
-      append_bytes(bytes, bits, 8);
-    } else
-      append_bytes(bytes, static_cast<std::uint64_t>(value), type == "UInt8" ? 1 : 8);
+    if(type == "Float64")
+      append_bytes(bytes, static_cast<double>(value));
+    else if(type == "UInt8")
+      append_bytes(bytes, static_cast<std::uint8_t>(value));
+    else
+      append_bytes(bytes, static_cast<std::int64_t>(value));
   }
   static void append(std::string& bytes, const std::string& type, const Point& point) {
     for(int i = 0; i < 3; ++i)

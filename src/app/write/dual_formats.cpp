@@ -13,7 +13,7 @@
 #include "write/Vtk_writer.h"
 #include "write/documents.h"
 #include "write/files.h"
-#include "write/msh_writer.h"
+#include "write/meshes/msh_writer.h"
 
 #include <array>
 #include <cstddef>

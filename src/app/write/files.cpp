@@ -10,6 +10,7 @@
 #include "write/files.h"
 
 #include "interrupt.h"
+#include "window/packing.h"
 
 #include <cerrno>
 #include <charconv>
@@ -140,7 +141,8 @@ void append_number(std::string& text, double value) {
 }
 
 Text_writer::Text_writer(const std::string& target)
-    : stream_(stdout) {
+    : stream_(stdout)
+    , is_packed_(without_gz(target) != target) {
   if(target == "-")
     return;
   path_ = std::make_unique<Staged_path>(target);
@@ -169,6 +171,8 @@ void Text_writer::show() {
 }
 
 void Text_writer::finish() {
+  if(is_packed_)
+    buffer_ = htl_window::deflated(buffer_, htl_window::Frame::GZIP);
   flush();
   if(!path_) {
     if(std::fflush(stream_) != 0)

@@ -36,9 +36,9 @@ void append_number(std::string& text, double value);
 
 class Staged_path;
 
-/// A text file written through a buffer; it appears under its name when `finish()` is called. The
-/// name "-" is the standard output. Throws `Failure` when the file cannot be written, on a full
-/// disk for example, and `Interrupted` on Ctrl-C.
+/// A text file written through a buffer; it appears under its name when `finish()` is called,
+/// packed by gzip if the name ends so. The name "-" is the standard output. Throws `Failure` when
+/// the file cannot be written, on a full disk for example, and `Interrupted` on Ctrl-C.
 class Text_writer
 {
 public:
@@ -72,7 +72,7 @@ public:
 private:
   Text_writer& flush_if_full() {
     constexpr std::size_t buffer_size = std::size_t(1) << 18;
-    if(buffer_.size() >= buffer_size)
+    if(buffer_.size() >= buffer_size && !is_packed_)
       flush();
     return *this;
   }
@@ -81,6 +81,7 @@ private:
 
   std::unique_ptr<Staged_path> path_; // none for the standard output
   std::FILE* stream_;                 // null when closed
+  bool is_packed_;
   std::string buffer_;
 };
 
@@ -95,13 +96,20 @@ template <typename Writer> struct File_format
   Writer* write;
 };
 
-/// the one of some formats that the name of a file tells; throws `Failure` if it tells none.
+/// the name of a file without the end that says that gzip packs it.
+inline std::string_view without_gz(std::string_view file) {
+  return file.substr(0, file.size() - (boost::algorithm::iends_with(file, ".gz") ? 3 : 0));
+}
+
+/// the one of some formats that the name of a file tells, packed by gzip or not; throws `Failure`
+/// if it tells none.
 template <typename Writer, std::size_t n>
 const File_format<Writer>& format_of(const std::string& file,
                                      const File_format<Writer> (&formats)[n]) {
   std::string known;
+  const std::string_view name = without_gz(file);
   for(const File_format<Writer>& format : formats) {
-    if(file.size() > format.suffix.size() && boost::algorithm::iends_with(file, format.suffix))
+    if(name.size() > format.suffix.size() && boost::algorithm::iends_with(name, format.suffix))
       return format;
     known += " " + std::string(format.suffix);
   }

@@ -10,95 +10,43 @@
 #include "write/mesh_writer.h"
 
 #include "write/files.h"
-
-#include <cmath>
-#include <cstdint>
-#include <vector>
+#include "write/meshes/msh_writer.h"
+#include "write/meshes/writers.h"
 
 namespace htloops {
 namespace {
 
 namespace generators = CGAL::Handle_tunnel_loops::generators;
 
-/// Properties are as long as `mesh.points`.
-struct Written_mesh
-{
-  const generators::Soup& mesh;
-  const Vertex_properties& properties;
-  const std::string& comment;
-};
-
-void write_point(Text_writer& out, const char* before, const std::array<double, 3>& point) {
-  out << before << point[0] << ' ' << point[1] << ' ' << point[2];
-}
-
-// Without an exponent, as far as it is of a type that has none.
-void write_value(Text_writer& out, const Vertex_property& property, double value) {
-  out << ' ';
-  if(property.is_real() || std::trunc(value) != value || std::abs(value) > 1e15)
-    out << value;
-  else
-    out << static_cast<long long>(value);
-}
-
-void write_points_and_triangles(Text_writer& out,
-                                const Written_mesh& written,
-                                const char* before_point,
-                                const char* before_triangle,
-                                std::uint32_t first_index) {
-  for(std::size_t v = 0; v < written.mesh.points.size(); ++v) {
-    write_point(out, before_point, written.mesh.points[v]);
-    for(const Vertex_property& property : written.properties)
-      write_value(out, property, property.values[v]);
-    out << '\n';
-  }
-  for(const auto& [a, b, c] : written.mesh.triangles)
-    out << before_triangle << a + first_index << ' ' << b + first_index << ' ' << c + first_index
-        << '\n';
-}
-
-void write_off(Text_writer& out, const Written_mesh& written) {
-  out << (written.properties.empty() ? "OFF\n" : "COFF\n") << written.mesh.points.size() << ' '
-      << written.mesh.triangles.size() << " 0\n";
-  write_points_and_triangles(out, written, "", "3 ", 0);
-}
-
-void write_obj(Text_writer& out, const Written_mesh& written) {
-  write_points_and_triangles(out, written, "v ", "f ", 1);
-}
-
-void write_ply(Text_writer& out, const Written_mesh& written) {
-  out << "ply\nformat ascii 1.0\n";
-  if(!written.comment.empty())
-    out << "comment " << written.comment << '\n';
-  out << "element vertex " << written.mesh.points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\n";
-  for(const Vertex_property& property : written.properties)
-    out << "property " << property.type << ' ' << property.name << '\n';
-  out << "element face " << written.mesh.triangles.size()
-      << "\nproperty list uchar int vertex_indices\nend_header\n";
-  write_points_and_triangles(out, written, "", "3 ", 0);
-}
-
-// The normals are left to the reader, as most readers do not look at them.
-void write_stl(Text_writer& out, const Written_mesh& written) {
-  out << "solid htloops\n";
-  for(const auto& triangle : written.mesh.triangles) {
-    out << "facet normal 0 0 0\nouter loop\n";
-    for(const std::uint32_t vertex : triangle) {
-      write_point(out, "vertex ", written.mesh.points[vertex]);
-      out << '\n';
-    }
-    out << "endloop\nendfacet\n";
-  }
-  out << "endsolid htloops\n";
+template <void (*write_groups)(Text_writer&, const generators::Soup&, const Named_groups&)>
+void write_msh(Text_writer& out, const Written_mesh& written) {
+  write_groups(out, written.mesh, {});
 }
 
 constexpr File_format<void(Text_writer&, const Written_mesh&)> mesh_formats[] = {
     {".off", write_off},
     {".obj", write_obj},
     {".ply", write_ply},
+    {".ascii.stl", write_stl_text},
     {".stl", write_stl},
+    {".glb", write_glb},
+    {".3mf", write_3mf},
+    {".binary.vtp", write_polydata_bytes},
+    {".vtp", write_polydata},
+    {".binary.vtu", write_grid_bytes},
+    {".vtu", write_grid},
+    {".msh", write_msh<write_msh4>},
+    {".msh2", write_msh<write_msh2>},
+    {".gii", write_gifti},
+    // As surfaces of FreeSurfer are called.
+    {".surf", write_freesurfer},
+    {".orig", write_freesurfer},
+    {".nofix", write_freesurfer},
+    {".white", write_freesurfer},
+    {".pial", write_freesurfer},
+    {".smoothwm", write_freesurfer},
+    {".inflated", write_freesurfer},
+    {".sphere", write_freesurfer},
 };
 
 // The standard output has no name that could tell a format.
@@ -134,8 +82,15 @@ void check_mesh_format(const std::string& file) {
   check_format(name_with_format(file), mesh_formats);
 }
 
-void write_mesh(const std::string& file, const generators::Soup& mesh) {
-  write(file, {mesh, {}, ""});
+std::string words_of_written_meshes() {
+  std::string words;
+  for(const auto& format : mesh_formats)
+    words += (words.empty() ? "" : " ") + std::string(format.suffix);
+  return words;
+}
+
+void write_mesh(const std::string& file, const generators::Soup& mesh, const File_facts& facts) {
+  write(file, {mesh, {}, "", facts});
 }
 
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties) {
@@ -154,8 +109,9 @@ Vertex_properties kept_by_format(const std::string& file, const Vertex_propertie
 void write_mesh(const std::string& file,
                 const Mesh& mesh,
                 const Vertex_properties& properties,
-                const std::string& comment) {
-  write(file, {soup_of(mesh), properties, comment});
+                const std::string& comment,
+                const File_facts& facts) {
+  write(file, {soup_of(mesh), properties, comment, facts});
 }
 
 } // namespace htloops

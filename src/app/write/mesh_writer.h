@@ -12,6 +12,7 @@
 
 #include "generators/generators.h"
 #include "mesh_types.h"
+#include "read/soup.h"
 
 #include <cstddef>
 #include <string>
@@ -21,9 +22,15 @@ namespace htloops {
 /// throws `Failure` if the name of a file does not tell a format that meshes can be written in.
 void check_mesh_format(const std::string& file);
 
-/// writes a mesh in the format that the extension tells (OFF, OBJ, PLY or STL, all as text; OFF
-/// on the standard output, "-"); each coordinate reads back as exactly itself.
-void write_mesh(const std::string& file, const CGAL::Handle_tunnel_loops::generators::Soup& mesh);
+/// how the names of files may end that meshes are written to, for a sentence.
+std::string words_of_written_meshes();
+
+/// writes a mesh in the format that the extension tells; OFF on the standard output, "-". Each
+/// coordinate reads back as exactly itself where the format has room for it. A unit and the like
+/// are written where there is a place for them.
+void write_mesh(const std::string& file,
+                const CGAL::Handle_tunnel_loops::generators::Soup& mesh,
+                const File_facts& facts = {});
 
 /// the properties that such a file has room for: all in PLY, colours in OFF, else none.
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties);
@@ -46,7 +53,8 @@ Vertex_properties colour_properties(std::size_t number_of_vertices, Colour_of co
 void write_mesh(const std::string& file,
                 const Mesh& mesh,
                 const Vertex_properties& properties = {},
-                const std::string& comment = "");
+                const std::string& comment = "",
+                const File_facts& facts = {});
 
 } // namespace htloops
 

@@ -138,7 +138,7 @@ constexpr char cut_examples[] = R"(Examples:
 void add_cut_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Cut_command_options>();
   CLI::App* cut = app.add_subcommand("cut", cut_description)->group("Commands");
-  add_mesh_argument(*cut, *options, mesh_kinds);
+  add_mesh_argument(*cut, *options, mesh_kinds());
   add_output_options(*cut, *options);
   add_remedy_options(*cut, *options);
   add_computation_options(*cut, *options);

@@ -134,7 +134,8 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
   options->request.genus = kind.default_genus;
   CLI::App* sub =
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
-  sub->add_option("-o,--output", options->mesh_file, "the mesh: .off .obj .ply .stl (required)")
+  sub->add_option("-o,--output", options->mesh_file,
+                  "the mesh: " + words_of_written_meshes() + " (required)")
       ->option_text("MESH")
       ->type_name(output_file)
       ->required();

@@ -241,7 +241,7 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
 } // namespace
 
 void add_loops_options(CLI::App& command, Loops_options& options) {
-  add_input(command, "MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl");
+  add_input(command, "MESH", options.mesh_files, mesh_kinds("triangle meshes"));
   add_format_option(command, options);
   add_output_options(command, options);
   add_remedy_options(command, options);
@@ -271,7 +271,7 @@ CLI::Option* add_noise_option(CLI::App& command, std::string& length, const std:
 void add_measure_options(CLI::App& command, Loops_options& options) {
   options.is_to_measure = true;
   options.listing.order = "noise";
-  add_input(command, "MESH", options.mesh_files, "triangle meshes: .off .obj .ply .stl");
+  add_input(command, "MESH", options.mesh_files, mesh_kinds("triangle meshes"));
   add_format_option(command, options);
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the loops with their measures");

@@ -10,12 +10,14 @@
 #include "commands/options.h"
 
 #include "app/failure.h"
+#include "app/read/meshes/mesh_formats.h"
 #include "app/read/sources.h"
 #include "app/write/files.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/pair_listing.h"
 #include "app/write/tables.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
@@ -124,11 +126,19 @@ void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::stri
   add_format_option(command, options);
 }
 
+std::string mesh_kinds(const std::string& what) {
+  return what + ": " + words_of_mesh_endings() + ", packed by gzip (.gz) or not";
+}
+
 void add_format_option(CLI::App& command, Mesh_options& options) {
-  add_choice(command, "--format", "FORMAT", options.format,
-             "off, obj, ply or stl, whatever the name of the mesh says; for - as a mesh,\n"
-             "which is the standard input",
-             {"off", "obj", "ply", "stl"})
+  std::vector<std::string> formats; // as the endings, without the dot
+  for(const std::string& ending : endings_of_meshes())
+    formats.push_back(ending.substr(1));
+  add_choice(
+      command, "--format", "FORMAT", options.format,
+      "what it is, whatever the name of the mesh says: " + boost::algorithm::join(formats, " ") +
+          ";\nfor - as a mesh, which is the standard input",
+      formats)
       ->group("What to read");
 }
 
@@ -160,7 +170,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
                    "vertices with too many faces, turn faces over; says what it did");
   add_repair_steps(command, "--repair-steps", options.remedies);
   add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
-             "the mesh as it is then, which the answer is about: .off .obj .ply .stl");
+             "the mesh as it is then, which the answer is about: " + words_of_written_meshes());
 }
 
 Input_file input_of(const Mesh_options& options) {

@@ -50,8 +50,8 @@ struct Mesh_options
   bool is_mesh_on_standard_output() const { return written_mesh_file == "-"; }
 };
 
-/// What the mesh of most commands is.
-constexpr char mesh_kinds[] = "triangle mesh: .off .obj .ply .stl";
+/// what the mesh of most commands is: "triangle mesh", and the endings that are read.
+std::string mesh_kinds(const std::string& what = "triangle mesh");
 
 /// declares the mesh, which comes first, `what` it is.
 void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what);

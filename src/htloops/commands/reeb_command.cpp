@@ -284,7 +284,7 @@ constexpr char reeb_examples[] = R"(Examples:
 void add_reeb_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Reeb_command_options>();
   CLI::App* reeb = app.add_subcommand("reeb", reeb_description)->group("Commands");
-  add_mesh_argument(*reeb, *options, mesh_kinds);
+  add_mesh_argument(*reeb, *options, mesh_kinds());
   add_output_options(*reeb, *options);
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);

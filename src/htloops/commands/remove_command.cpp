@@ -382,7 +382,7 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 void add_output_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to write");
   add_output(command, "-o,--output", "OUT", options.result_file,
-             "the mesh: .off .obj .ply .stl; - is standard output, OFF");
+             "the mesh: " + words_of_written_meshes() + "; - is standard output, OFF");
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
   add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_output(command, "--map", "FILE.json", options.map_file,
@@ -426,7 +426,7 @@ void write_out_bores(std::vector<std::string>& arguments) {
 void add_remove_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Remove_options>();
   CLI::App* remove = app.add_subcommand("remove", remove_description)->group("Commands");
-  add_mesh_argument(*remove, *options, mesh_kinds);
+  add_mesh_argument(*remove, *options, mesh_kinds());
   add_output_options(*remove, *options);
   add_remedy_options(*remove, *options);
   add_selection_options(*remove, *options);

@@ -56,13 +56,13 @@ void run(const Repair_options& options) {
     throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
   check_mesh_format(options.written_mesh_file);
   const Input_file file = input_of(options);
-  const Mended_soup mended = mend(read_soup(file), options.remedies);
+  const Mended_soup mended = mend(read_whole_soup(file), options.remedies);
   const std::vector<Defect> defects = diagnose(mended.soup);
   throw_if_interrupted();
   if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
     std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);
   if(!options.is_dry_run && are_triangles(mended.soup) && !mended.soup.faces.empty())
-    write_mesh(options.written_mesh_file, triangles_of(mended.soup));
+    write_mesh(options.written_mesh_file, triangles_of(mended.soup), mended.soup.facts);
   require_fit(file.name(), defects);
 }
 
@@ -100,10 +100,10 @@ void add_repair_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Repair_options>();
   options->remedies.do_repair = true;
   CLI::App* repair = app.add_subcommand("repair", repair_description)->group("Commands");
-  add_mesh_argument(*repair, *options, "a mesh, fit or not: .off .obj .ply .stl");
+  add_mesh_argument(*repair, *options, mesh_kinds("a mesh, fit or not"));
   repair->option_defaults()->group("What to do");
   add_output(*repair, "-o,--output", "OUT", options->written_mesh_file,
-             "the mesh that it becomes: .off .obj .ply .stl");
+             "the mesh that it becomes: " + words_of_written_meshes());
   repair->add_flag("--dry-run", options->is_dry_run, "say what would be done, write nothing");
   repair->add_flag("--triangulate", options->remedies.do_triangulate,
                    "make triangles of faces with more corners, too");

@@ -191,7 +191,7 @@ constexpr char skeleton_examples[] = R"(Examples:
 void add_skeleton_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Skeleton_command_options>();
   CLI::App* skeleton = app.add_subcommand("skeleton", skeleton_description)->group("Commands");
-  add_mesh_argument(*skeleton, *options, mesh_kinds);
+  add_mesh_argument(*skeleton, *options, mesh_kinds());
   add_output_options(*skeleton, *options);
   add_remedy_options(*skeleton, *options);
   add_computation_options(*skeleton, *options);

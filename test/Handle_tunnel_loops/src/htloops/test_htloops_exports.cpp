@@ -5,8 +5,8 @@
 
 #include "app/failure.h"
 #include "app/read/input_file.h"
+#include "app/read/meshes/mesh_formats.h"
 #include "app/read/skeleton_reader.h"
-#include "app/read/soup.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 
@@ -118,14 +118,14 @@ TEST_F(Exports, other_formats_are_refused_beforehand) {
   EXPECT_NO_THROW(check_lines_format("a.polylines.txt"));
   for(const char* name : {"a.txt", "a.png", "ply", ".ply"})
     EXPECT_THROW(check_lines_format(name), Failure) << name;
-  EXPECT_THROW(check_mesh_format("a.vtp"), Failure);
+  EXPECT_THROW(check_mesh_format("a.png"), Failure);
 }
 
 TEST_F(Exports, meshes_read_back_as_they_were) {
   CGAL::Handle_tunnel_loops::generators::Soup mesh;
   mesh.points = {{0., 0., 0.}, {1. / 3., 0., 0.}, {0., 1e-300, 0.}, {0., 0., 0.1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  for(const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
+  for(const char* name : {"a.off", "a.obj", "a.ply", "a.ascii.stl"}) {
     SCOPED_TRACE(name);
     write_mesh(folder_.path(name), mesh);
     const Soup soup = read_soup(folder_.path(name));

@@ -8,7 +8,7 @@
 
 #include "app/mend/mesh_reader.h"
 #include "app/read/input_file.h"
-#include "app/read/soup.h"
+#include "app/read/meshes/mesh_formats.h"
 #include "app/solve/cut_solver.h"
 #include "app/write/mesh_writer.h"
 #include "generators/generators.h"

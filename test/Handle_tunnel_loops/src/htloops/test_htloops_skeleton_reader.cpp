@@ -135,26 +135,25 @@ TEST(Skeleton_reader, SaysWhatIsWrong) {
   expect_problem("a.swc", "1 0 0 0 0 1 -1\n1 0 0 0 0 1 -1\n", "is there twice");
   expect_problem("a.polylines.txt", "2 0 0 0 1 0\n", "a point has no three coordinates");
   expect_problem("a.vtp", "<VTKFile><PolyData>", "it is not XML");
-  expect_problem("a.vtp", "<a/>", "it is no PolyData");
+  expect_problem("a.vtp", "<a/>", "it is no file of VTK's XML");
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"binary\">AAAA</DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
                  "an array has fewer bytes than it says");
+  expect_problem("a.vtp", "<VTKFile><UnstructuredGrid/></VTKFile>", "it is no PolyData");
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"appended\"></DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
-                 "its arrays are compressed or appended");
+                 "an array that begins behind the end of the file");
   // What follows the underscore may be any bytes.
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece/></PolyData><AppendedData encoding=\"raw\">_<&"
                  "</AppendedData></VTKFile>",
-                 "save it from ParaView with the data mode Ascii, or with Binary and the "
-                 "compressor type None");
-  expect_problem(
-      "a.vtp",
-      "<VTKFile compressor=\"vtkZLibDataCompressor\"><PolyData><Piece><Points><DataArray "
-      "format=\"binary\">AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",
-      "its arrays are compressed or appended");
+                 "there are no lines in it");
+  expect_problem("a.vtp",
+                 "<VTKFile compressor=\"vtkLZ4DataCompressor\"><PolyData><Piece><Points><DataArray "
+                 "format=\"binary\">AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",
+                 "its arrays are packed by 'vtkLZ4DataCompressor'");
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray type=\"String\" format=\"binary\">"
                  "AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",

@@ -1,5 +1,5 @@
 #include "app/read/input_file.h"
-#include "app/read/soup.h"
+#include "app/read/meshes/mesh_formats.h"
 
 #include "Mesh_corpus.h"
 #include "Temporary_folder.h"

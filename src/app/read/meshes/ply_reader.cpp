@@ -7,8 +7,9 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "read/formats.h"
 #include "read/input_file.h"
+#include "read/meshes/formats.h"
+#include "read/meshes/readers.h"
 
 #include <algorithm>
 #include <array>
@@ -46,21 +47,22 @@ Ply_element read_element(Text_source& text) {
   return element;
 }
 
-constexpr Ply_type types[] = {{"char", "int8", true, read_as<std::int8_t>},
-                              {"uchar", "uint8", true, read_as<std::uint8_t>},
-                              {"short", "int16", true, read_as<std::int16_t>},
-                              {"ushort", "uint16", true, read_as<std::uint16_t>},
-                              {"int", "int32", true, read_as<std::int32_t>},
-                              {"uint", "uint32", true, read_as<std::uint32_t>},
-                              {"float", "float32", false, read_as<float>},
-                              {"double", "float64", false, read_as<double>}};
+constexpr Ply_type ply_types[] = {{"char", "int8", true, read_as<std::int8_t>},
+                                  {"uchar", "uint8", true, read_as<std::uint8_t>},
+                                  {"short", "int16", true, read_as<std::int16_t>},
+                                  {"ushort", "uint16", true, read_as<std::uint16_t>},
+                                  {"int", "int32", true, read_as<std::int32_t>},
+                                  {"uint", "uint32", true, read_as<std::uint32_t>},
+                                  {"float", "float32", false, read_as<float>},
+                                  {"double", "float64", false, read_as<double>}};
 
 // The type of a name; null if PLY has no such type.
 const Ply_type* ply_type(std::string_view name) {
-  const auto found = std::find_if(std::begin(types), std::end(types), [name](const Ply_type& type) {
-    return name == type.name || name == type.other_name;
-  });
-  return found == std::end(types) ? nullptr : found;
+  const auto found =
+      std::find_if(std::begin(ply_types), std::end(ply_types), [name](const Ply_type& type) {
+        return name == type.name || name == type.other_name;
+      });
+  return found == std::end(ply_types) ? nullptr : found;
 }
 
 Ply_property read_property(Text_source& text) {
@@ -304,8 +306,6 @@ bool Ply_numbers::read(const Ply_type& type, double& value) {
   return true;
 }
 
-Soup read_ply(const std::string& file, std::string_view content) {
-  return Ply_parser(file, content).parse();
-}
+Soup read_ply(const Input_file& file) { return Ply_parser(file.name(), file.content()).parse(); }
 
 } // namespace htloops

@@ -10,7 +10,6 @@
 #ifndef HTLOOPS_FORMATS_H
 #define HTLOOPS_FORMATS_H
 
-#include "read/soup.h"
 #include "read/sources.h"
 
 #include <cstddef>
@@ -133,24 +132,6 @@ private:
   Text_source text_;
   Binary_source bytes_;
 };
-
-/// reads the text of an OFF file, also with homogeneous coordinates; colours, normals and texture
-/// coordinates are passed over. Throws `Failure`, naming file and line, if it is malformed.
-Soup read_off(const std::string& file, std::string_view text);
-
-/// reads the vertices and faces of the text of an OBJ file; all else that the format has is passed
-/// over. Throws `Failure`, naming file and line, if the text is malformed.
-Soup read_obj(const std::string& file, std::string text);
-
-/// reads the vertices and faces of the content of a PLY file, in text or binary form, of whatever
-/// type their numbers are; all else is passed over. Throws `Failure`, naming line or byte, if the
-/// content is malformed or ends too early.
-Soup read_ply(const std::string& file, std::string_view content);
-
-/// reads the triangles of the content of an STL file, in text or binary form; equal points become
-/// one vertex. Throws `Failure`, naming the line of a text, if the content is malformed or ends too
-/// early.
-Soup read_stl(const std::string& file, std::string_view content);
 
 } // namespace htloops
 

@@ -7,7 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "read/formats.h"
+#include "read/meshes/formats.h"
+#include "read/meshes/readers.h"
 #include "words.h"
 
 #include <algorithm>
@@ -167,8 +168,6 @@ Off_header read_off_header(Text_source& text) {
   return header;
 }
 
-Soup read_off(const std::string& file, std::string_view text) {
-  return Off_parser(file, text).parse();
-}
+Soup read_off(const Input_file& file) { return Off_parser(file.name(), file.content()).parse(); }
 
 } // namespace htloops

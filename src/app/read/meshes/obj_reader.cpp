@@ -7,8 +7,9 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "read/formats.h"
 #include "read/input_file.h"
+#include "read/meshes/formats.h"
+#include "read/meshes/readers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -158,9 +159,9 @@ std::string join_continued_lines(std::string text) {
   return joined;
 }
 
-Soup read_obj(const std::string& file, std::string text) {
-  const std::string lines = join_continued_lines(std::move(text));
-  return Obj_parser(file, lines).parse();
+Soup read_obj(const Input_file& file) {
+  const std::string lines = join_continued_lines(std::string(file.content()));
+  return Obj_parser(file.name(), lines).parse();
 }
 
 } // namespace htloops

@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "write/msh_writer.h"
+#include "write/meshes/msh_writer.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -7,9 +7,10 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#include "read/formats.h"
+#include "read/meshes/readers.h"
 
 #include "read/input_file.h"
+#include "read/sources.h"
 #include "words.h"
 
 #include <algorithm>
@@ -153,9 +154,11 @@ Soup read_binary(const std::string& file, std::string_view content) {
 
 // The word solid opens many a binary file, but no text has a zero byte, which each binary file of
 // less than 2^24 faces has at the end of their number.
-Soup read_stl(const std::string& file, std::string_view content) {
+Soup read_stl(const Input_file& file) {
+  const std::string_view content = file.content();
   const bool is_binary = content.find('\0') != content.npos;
-  return is_binary ? read_binary(file, content) : Stl_text_parser(file, content).parse();
+  return is_binary ? read_binary(file.name(), content)
+                   : Stl_text_parser(file.name(), content).parse();
 }
 
 } // namespace htloops

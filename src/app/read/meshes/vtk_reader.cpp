@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "read/Vtk_document.h"
+#include "read/meshes/readers.h"
+
+#include <array>
+
+namespace htloops {
+namespace {
+
+// As VTK numbers the types of cells.
+enum Vtk_cell {
+  TRIANGLE = 5,
+  TRIANGLE_STRIP = 6,
+  POLYGON = 7,
+  PIXEL = 8,
+  QUAD = 9,
+  TETRAHEDRON = 10,
+  WEDGE_OF_FIVE = 16,
+  QUADRATIC_TRIANGLE = 22,
+  QUADRATIC_QUAD = 23,
+  BIQUADRATIC_QUAD = 28,
+  BIQUADRATIC_TRIANGLE = 34
+};
+
+using Corners = std::vector<std::size_t>;
+
+class Vtk_reader
+{
+public:
+  explicit Vtk_reader(const Input_file& file)
+      : file_(file)
+      , document_(file) {}
+
+  Soup read() {
+    if(const Xml_tree* surface = document_.data_set("PolyData"))
+      document_.for_each_piece(*surface, [this](const Xml_tree& piece) { read_polygons(piece); });
+    else if(const Xml_tree* grid = document_.data_set("UnstructuredGrid"))
+      document_.for_each_piece(*grid, [this](const Xml_tree& piece) { read_cells(piece); });
+    else
+      fail_to_read(file_.name(), "it is neither PolyData nor an UnstructuredGrid of VTK");
+    if(soup_.faces.empty())
+      fail_to_read(file_.name(), has_volumes_
+                                     ? "it has cells of a volume, and no faces: extract its "
+                                       "surface (in ParaView) first"
+                                     : "it has no faces");
+    check_corners(file_.name(), soup_);
+    return std::move(soup_);
+  }
+
+private:
+  // Returns the number of the first point of the piece.
+  std::size_t read_points(const Xml_tree& piece) {
+    const std::size_t first = soup_.points.size();
+    const std::vector<double> x = document_.array(piece, "Points", "");
+    for(std::size_t i = 0; i + 2 < x.size(); i += 3)
+      soup_.points.emplace_back(x[i], x[i + 1], x[i + 2]);
+    note_data(piece);
+    return first;
+  }
+
+  void note_data(const Xml_tree& piece) {
+    for(const char* section : {"PointData", "CellData"})
+      if(const auto arrays = piece.get_child_optional(section))
+        if(arrays->count("DataArray") > 0 && soup_.facts.unread.empty())
+          soup_.facts.unread = {"data of points and cells"};
+  }
+
+  void read_polygons(const Xml_tree& piece) {
+    const std::size_t first = read_points(piece);
+    for(const Corners& polygon : document_.cells(piece, "Polys", first))
+      soup_.add_face(polygon);
+    for(const Corners& strip : document_.cells(piece, "Strips", first))
+      add_strip(strip);
+  }
+
+  // Each triangle has two points of the one before, which it goes around the other way.
+  void add_strip(const Corners& strip) {
+    for(std::size_t i = 2; i < strip.size(); ++i)
+      soup_.add_face(
+          std::array<std::size_t, 3>{strip[i - 2], strip[i - 1 + i % 2], strip[i - i % 2]});
+  }
+
+  void read_cells(const Xml_tree& piece) {
+    const std::vector<Corners> cells = document_.cells(piece, "Cells", read_points(piece));
+    const std::vector<double> of_cells = document_.array(piece, "Cells", "types");
+    for(std::size_t c = 0; c < cells.size() && c < of_cells.size(); ++c)
+      add_cell(static_cast<int>(of_cells[c]), cells[c]);
+  }
+
+  void add_cell(int type, Corners cell) {
+    const auto add = [this, &cell](std::size_t corners) {
+      cell.resize((std::min)(corners, cell.size())); // without those within edges
+      soup_.add_face(cell);
+    };
+    if(type == TRIANGLE || type == QUADRATIC_TRIANGLE || type == BIQUADRATIC_TRIANGLE)
+      add(3);
+    else if(type == QUAD || type == QUADRATIC_QUAD || type == BIQUADRATIC_QUAD)
+      add(4);
+    else if(type == POLYGON)
+      add(cell.size());
+    else if(type == PIXEL && cell.size() == 4) {
+      std::swap(cell[2], cell[3]); // it goes row by row
+      add(4);
+    } else if(type == TRIANGLE_STRIP)
+      add_strip(cell);
+    else if(type >= TETRAHEDRON && type <= WEDGE_OF_FIVE)
+      has_volumes_ = true;
+  }
+
+  const Input_file& file_;
+  Vtk_document document_;
+  Soup soup_;
+  bool has_volumes_ = false;
+};
+
+} // namespace
+
+Soup read_vtk(const Input_file& file) { return Vtk_reader(file).read(); }
+
+} // namespace htloops

@@ -1,0 +1,346 @@
+"""Each format of meshes: read as other programs write it, and written as other programs read it."""
+
+import gzip
+import json
+import struct
+
+import pytest
+
+import judges
+from mesh_files import read_off, read_stl, torus, triangles_of, write_off, write_stl
+
+
+def box_of(points):
+    return [f(p[i] for p in points) for f in (min, max) for i in range(3)]
+
+
+def is_near(points, others):
+    return len(points) == len(others) and all(abs(x - y) < 2e-6 for p, q in zip(points, others) for x, y in zip(p, q))
+
+
+def same_triangles(one, other):
+    def turned(t):
+        i = t.index(min(t))
+        return t[i:] + t[:i]
+
+    return sorted(map(turned, map(tuple, one))) == sorted(map(turned, map(tuple, other)))
+
+
+@pytest.fixture
+def two_tori():
+    """Points and triangles of two tori, whose numbers single precision has no room for."""
+    points, quads = torus(shift=(0.1, 0.2, 0.3))
+    more, other_quads = torus(large=1.5, shift=(10.1, 0, 0))
+    n = len(points)
+    faces = quads + [tuple(v + n for v in quad) for quad in other_quads]
+    return points + more, triangles_of(faces)
+
+
+@pytest.fixture
+def mesh(tool, two_tori):
+    return write_off(tool.folder / "mesh.off", *two_tori)
+
+
+@pytest.mark.parametrize("ending", ["off", "obj", "ply", "3mf", "vtp", "vtu", "binary.vtp", "binary.vtu", "msh", "msh2",
+                                    "off.gz", "ply.gz", "3mf.gz", "binary.vtu.gz"])
+def test_what_has_room_for_all_digits_comes_back_the_same(tool, mesh, two_tori, ending):
+    tool.run("repair", mesh, "-o", f"copy.{ending}", "-q")
+    points, triangles = tool.as_off(f"copy.{ending}")
+    assert same_triangles(triangles, two_tori[1])
+    assert points == two_tori[0]
+
+
+@pytest.mark.parametrize("ending", ["stl", "ascii.stl", "glb", "gii", "white", "surf", "stl.gz", "glb.gz", "white.gz"])
+def test_what_has_not_comes_back_rounded(tool, mesh, two_tori, ending):
+    tool.run("repair", mesh, "-o", f"copy.{ending}", "-q")
+    points, triangles = tool.as_off(f"copy.{ending}")
+    assert len(points) == len(two_tori[0]) and len(triangles) == len(two_tori[1])
+    assert box_of(points) == pytest.approx(box_of(two_tori[0]), abs=1e-6)
+    assert tool.facts(f"copy.{ending}")["genus"] == 2
+
+
+def test_gzip_is_gzip(tool, mesh):
+    tool.run("repair", mesh, "-o", "copy.off.gz", "-q")
+    assert read_off(mesh) == read_off_text(tool, gzip.decompress((tool.folder / "copy.off.gz").read_bytes()))
+
+
+def read_off_text(tool, content):
+    file = tool.folder / "unpacked.off"
+    file.write_bytes(content)
+    return read_off(file)
+
+
+def test_binary_stl_has_fifty_bytes_a_face(tool, mesh, two_tori):
+    tool.run("repair", mesh, "-o", "copy.stl", "-q")
+    points, triangles = read_stl(tool.folder / "copy.stl")
+    assert len(triangles) == len(two_tori[1]) and len(points) == len(two_tori[0])
+
+
+def test_binary_stl_refuses_to_let_points_fall_together(tool):
+    points, quads = torus(shift=(1e9, 0, 0))
+    write_off(tool.folder / "far.off", points, triangles_of(quads))
+    said = tool.run("repair", "far.off", "-o", "far.stl", "-q", code=2).stderr
+    assert "would fall together" in said and ".ascii.stl" in said
+    assert not (tool.folder / "far.stl").exists()
+    tool.run("repair", "far.off", "-o", "far.ascii.stl", "-q")
+    assert tool.facts("far.ascii.stl")["genus"] == 1
+
+
+# ---- glTF
+
+
+def test_glb_is_valid(tool, mesh):
+    tool.run("repair", mesh, "-o", "copy.glb", "-q")
+    said = judges.gltf_validator(tool.folder / "copy.glb")
+    assert said["errors"] == 0 and said["warnings"] == 0, said
+
+
+def test_glb_is_read_by_blender(tool, mesh, two_tori):
+    tool.run("repair", mesh, "-o", "copy.glb", "-q")
+    said = judges.imported_by_blender(tool.folder / "copy.glb")
+    assert said["triangles"] == len(two_tori[1])
+
+
+def glb(document, buffer):
+    """The bytes of a GLB."""
+    text = json.dumps({"asset": {"version": "2.0"}, "buffers": [{"byteLength": len(buffer)}], **document}).encode()
+    text += b" " * (-len(text) % 4)
+    buffer += b"\0" * (-len(buffer) % 4)
+    return (struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(buffer)) + struct.pack("<I4s", len(text), b"JSON")
+            + text + struct.pack("<I4s", len(buffer), b"BIN\0") + buffer)
+
+
+def scene_of_two_nodes(points, triangles):
+    """The same mesh twice, once turned, shifted and mirrored."""
+    places = b"".join(struct.pack("<3f", *p) for p in points)
+    corners = b"".join(struct.pack("<3H", *t) for t in triangles)
+    document = {
+        "scene": 0,
+        "scenes": [{"nodes": [0, 1]}],
+        "nodes": [{"mesh": 0, "translation": [100, 0, 0]},
+                  {"scale": [2, 2, 2], "children": [2]},
+                  {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 5, 1]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
+                       "min": box_of(points)[:3], "max": box_of(points)[3:]},
+                      {"bufferView": 1, "componentType": 5123, "count": 3 * len(triangles), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(places)},
+                        {"buffer": 0, "byteOffset": len(places), "byteLength": len(corners)}],
+    }
+    return document, places + corners
+
+
+def test_glb_has_all_meshes_of_the_scene_with_their_transforms(tool):
+    points, quads = torus()
+    (tool.folder / "scene.glb").write_bytes(glb(*scene_of_two_nodes(points, triangles_of(quads))))
+    found, triangles = tool.as_off("scene.glb")
+    assert len(found) == 2 * len(points)
+    assert found[0] == pytest.approx((points[0][0] + 100, points[0][1], points[0][2]), abs=1e-5)
+    x, y, z = points[5]
+    assert found[len(points) + 5] == pytest.approx((-2 * x, 2 * z, 2 * (y + 5)), abs=1e-5)
+    facts = tool.facts("scene.glb")
+    assert (facts["components"], facts["genus"]) == (2, 2)
+    # A transform that is a turn keeps what is inside inside; this one mirrors twice.
+    volume = judges.manifold(found, triangles, tool.folder)
+    assert volume["status"] in ("0", "NoError") and volume["volume"] > 0
+
+
+def test_a_mirrored_node_is_turned_back(tool):
+    points, quads = torus()
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    document["nodes"][0]["scale"] = [-1, 1, 1]
+    (tool.folder / "scene.glb").write_bytes(glb(document, buffer))
+    found, triangles = tool.as_off("scene.glb")
+    volume = 0.0
+    for t in triangles[:len(triangles) // 2]:
+        (a, b, c), (d, e, f), (g, h, i) = ([x - s for x, s in zip(found[v], (100, 0, 0))] for v in t)
+        volume += a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    assert volume > 0
+
+
+def test_glb_of_blender_is_whole_where_normals_and_textures_part_it(tool):
+    file = tool.folder / "parted.glb"
+    judges.blender(
+        """
+bpy.ops.mesh.primitive_torus_add(major_segments=30, minor_segments=12, generate_uvs=True)
+bpy.ops.export_scene.gltf(filepath=arguments[0], export_format="GLB")
+say(done=True)
+""",
+        file,
+    )
+    assert judges.gltf_validator(file)["errors"] == 0
+    facts = tool.facts(file)
+    assert (facts["vertices"], facts["faces"], facts["genus"]) == (360, 720, 1)
+
+
+@pytest.mark.parametrize("extension", ["KHR_draco_mesh_compression", "EXT_meshopt_compression"])
+def test_compressed_gltf_is_refused_by_name(tool, extension):
+    points, quads = torus()
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    document |= {"extensionsUsed": [extension], "extensionsRequired": [extension]}
+    (tool.folder / "packed.glb").write_bytes(glb(document, buffer))
+    said = tool.run("loops", "packed.glb", "-o", "x.json", code=3).stderr
+    assert extension in said and "without compression" in said
+    assert not (tool.folder / "x.json").exists()
+
+
+def test_gltf_with_a_buffer_beside_it(tool):
+    points, quads = torus()
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    (tool.folder / "beside.bin").write_bytes(buffer)
+    document |= {"asset": {"version": "2.0"}, "buffers": [{"byteLength": len(buffer), "uri": "beside.bin"}]}
+    (tool.folder / "scene.gltf").write_text(json.dumps(document))
+    assert tool.facts("scene.gltf")["genus"] == 2
+
+
+@pytest.mark.parametrize("uri", ["../beside.bin", "/etc/passwd", "$(touch made).bin", "`touch made`"])
+def test_gltf_reads_no_file_elsewhere_and_runs_nothing(tool, uri):
+    points, quads = torus()
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    (tool.folder / "beside.bin").write_bytes(buffer)
+    (tool.folder / "in").mkdir()
+    document |= {"asset": {"version": "2.0"}, "buffers": [{"byteLength": len(buffer), "uri": uri}]}
+    (tool.folder / "in" / "scene.gltf").write_text(json.dumps(document))
+    tool.run("loops", "in/scene.gltf", code=3)
+    assert not list(tool.folder.rglob("made"))
+
+
+# ---- 3MF
+
+
+def test_3mf_is_a_solid_for_a_slicer(tool, mesh, two_tori):
+    tool.run("repair", mesh, "-o", "copy.3mf", "-q")
+    said = judges.slicer(tool.folder / "copy.3mf")
+    assert said["manifold"] == "yes" and int(said["number_of_facets"]) == len(two_tori[1])
+
+
+def test_3mf_of_a_slicer_is_read(tool, two_tori):
+    write_stl(tool.folder / "mesh.stl", *two_tori)
+    judges.made_3mf_by_slicer(tool.folder / "mesh.stl", tool.folder / "mesh.3mf")
+    facts = tool.facts("mesh.3mf")
+    assert (facts["faces"], facts["genus"]) == (len(two_tori[1]), 2)
+
+
+# ---- surfaces of brains
+
+
+def test_gifti_is_read_by_nibabel(tool, mesh, two_tori):
+    nibabel = judges.nibabel()
+    tool.run("repair", mesh, "-o", "copy.surf.gii", "-q")
+    image = nibabel.load(tool.folder / "copy.surf.gii")
+    points, triangles = image.agg_data(("pointset", "triangle"))
+    assert is_near(points, two_tori[0])
+    assert [tuple(map(int, t)) for t in triangles] == two_tori[1]
+
+
+@pytest.mark.parametrize("encoding", [1, 2, 3])  # text, base 64, and that packed
+def test_gifti_of_nibabel_is_read(tool, two_tori, encoding):
+    nibabel = judges.nibabel()
+    import numpy
+
+    points, triangles = two_tori
+    arrays = [nibabel.gifti.GiftiDataArray(numpy.array(points, "float32"), intent="NIFTI_INTENT_POINTSET"),
+              nibabel.gifti.GiftiDataArray(numpy.array(triangles, "int32"), intent="NIFTI_INTENT_TRIANGLE")]
+    for array in arrays:
+        array.encoding = encoding
+    nibabel.save(nibabel.gifti.GiftiImage(darrays=arrays), tool.folder / "mesh.gii")
+    found, faces = tool.as_off("mesh.gii")
+    assert same_triangles(faces, triangles) and is_near(found, points)
+
+
+def test_freesurfer_keeps_the_geometry_of_its_volume(tool, two_tori):
+    nibabel = judges.nibabel()
+    import numpy
+
+    volume = {"head": numpy.array([2, 0, 20], "int32"), "valid": "1  # volume info valid", "filename": "brain.mgz",
+              "volume": numpy.array([256, 256, 256]), "voxelsize": numpy.array([1.0, 1.0, 1.0]),
+              "xras": numpy.array([-1.0, 0, 0]), "yras": numpy.array([0, 0, -1.0]), "zras": numpy.array([0, 1.0, 0]),
+              "cras": numpy.array([5.4, 18.0, -3.5])}
+    points, triangles = two_tori
+    nibabel.freesurfer.write_geometry(tool.folder / "lh.nofix", numpy.array(points), numpy.array(triangles),
+                                      volume_info=volume)
+    tool.run("repair", "lh.nofix", "-o", "lh.orig", "-q")
+    found, faces, info = nibabel.freesurfer.read_geometry(tool.folder / "lh.orig", read_metadata=True)
+    assert is_near(found, points) and (faces == numpy.array(triangles)).all()
+    assert info["filename"] == "brain.mgz" and info["cras"] == pytest.approx(volume["cras"])
+
+
+# ---- meshes of solvers
+
+
+@pytest.mark.parametrize("version, binary, order", [(2.2, False, 1), (2.2, True, 1), (4.0, False, 1), (4.1, False, 1),
+                                                    (4.1, True, 1), (2.2, True, 2), (4.1, False, 2)])
+def test_msh_of_gmsh_is_read(tool, version, binary, order):
+    made = judges.make_msh(tool.folder / "torus.msh", version, binary, order)
+    facts = tool.facts("torus.msh")
+    assert (facts["faces"], facts["genus"]) == (made["triangles"], 1)
+
+
+@pytest.mark.parametrize("ending", ["vtp", "vtu"])
+@pytest.mark.parametrize("mode, compressor", [("ascii", "none"), ("binary", "none"), ("binary", "zlib"),
+                                              ("appended", "none"), ("appended", "zlib"), ("raw", "none"),
+                                              ("raw", "zlib")])
+def test_vtk_of_paraview_is_read(tool, ending, mode, compressor):
+    made = judges.make_vtk(tool.folder / f"torus.{ending}", mode, compressor)
+    facts = tool.facts(f"torus.{ending}")
+    assert (facts["faces"], facts["genus"]) == (made["triangles"], 1)
+
+
+@pytest.mark.parametrize("ending", ["msh", "msh2"])
+def test_msh_is_read_by_gmsh(tool, mesh, two_tori, ending):
+    tool.run("repair", mesh, "-o", f"copy.{ending}", "-q")
+    said = judges.gmsh(tool.folder / f"copy.{ending}")
+    assert len(said["points"]) == len(two_tori[0]) and len(said["triangles"]) == len(two_tori[1])
+
+
+@pytest.mark.parametrize("ending", ["vtp", "vtu", "binary.vtp", "binary.vtu"])
+def test_vtk_is_read_by_paraview(tool, mesh, two_tori, ending):
+    tool.run("repair", mesh, "-o", f"copy.{ending}", "-q")
+    said = judges.paraview(tool.folder / f"copy.{ending}")
+    assert (said["points"], said["triangles"]) == (len(two_tori[0]), len(two_tori[1]))
+
+
+def test_what_vtk_packs_otherwise_is_refused_by_name(tool):
+    judges.make_vtk(tool.folder / "torus.vtp", "binary", "lz4")
+    assert "vtkLZ4DataCompressor" in tool.run("loops", "torus.vtp", code=3).stderr
+
+
+# ---- bad files
+
+
+ENDINGS = ["off", "ply", "stl", "glb", "3mf", "gii", "surf", "vtp", "binary.vtu", "msh", "msh2", "off.gz"]
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_a_file_that_was_cut_off_is_refused_and_nothing_is_written(tool, mesh, ending):
+    tool.run("repair", mesh, "-o", f"whole.{ending}", "-q")
+    content = (tool.folder / f"whole.{ending}").read_bytes()
+    for part in (0, 1, 10, 100, len(content) // 2, len(content) - 40):
+        (tool.folder / f"part.{ending}").write_bytes(content[:part])
+        done = tool.run("loops", f"part.{ending}", "-o", "answer.json", code=3)
+        assert done.stderr.startswith("htloops: ") and f"part.{ending}" in done.stderr
+        assert not (tool.folder / "answer.json").exists()
+
+
+@pytest.mark.parametrize("ending", ["surf", "glb"])
+def test_a_gigabyte_announced_is_no_gigabyte_taken(tool, mesh, ending):
+    tool.run("repair", mesh, "-o", f"whole.{ending}", "-q")
+    content = bytearray((tool.folder / f"whole.{ending}").read_bytes())
+    if ending == "surf":
+        at = content.index(b"\n\n") + 2
+        content[at:at + 8] = struct.pack(">ii", 2**31 - 1, 2**31 - 1)
+    else:
+        content = content.replace(b'"count":576', b'"count":999999999')
+        struct.pack_into("<I", content, 8, len(content))
+    (tool.folder / f"part.{ending}").write_bytes(content)
+    tool.run("loops", f"part.{ending}", "-o", "answer.json", code=3)
+    assert not (tool.folder / "answer.json").exists()
+
+
+def test_unknown_endings_are_refused_and_the_known_ones_named(tool, mesh):
+    said = tool.run("repair", mesh, "-o", "copy.xyz", code=2).stderr
+    assert all(f".{ending}" in said for ending in ("off", "stl", "glb", "3mf", "gii"))
+    (tool.folder / "mesh.xyz").write_bytes(mesh.read_bytes())
+    said = tool.run("loops", "mesh.xyz", code=3).stderr
+    assert ".off .obj .ply .stl" in said
+    assert tool.facts("mesh.xyz", "--format", "off")["genus"] == 2
