@@ -37,6 +37,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   mend/face_gluing.cpp
   mend/mending.cpp
   mend/mesh_reader.cpp
+  mend/near_points.cpp
   mend/point_welding.cpp
   mend/triangulation.cpp
   mend/vertex_splitting.cpp

@@ -22,6 +22,8 @@ struct Words_of_change
 };
 
 constexpr Words_of_change words_of_kinds[Change_log::number_of_kinds] = {
+    {"vertex of the boundary welded with one nearby",
+     "vertices of the boundary welded with ones nearby"},
     {"vertex welded with another at the same place",
      "vertices welded with others at the same place"},
     {"degenerate face dropped", "degenerate faces dropped"},

@@ -22,6 +22,7 @@ namespace htloops {
 
 /// What can be different in a mesh that was mended, in the order in which it is told.
 enum class Change_kind : char {
+  NEAR_VERTICES_WELDED,
   VERTICES_WELDED,
   DEGENERATE_FACES_DROPPED,
   CORNERS_DROPPED,
@@ -50,7 +51,7 @@ struct Change
 class Change_log
 {
 public:
-  static constexpr std::size_t number_of_kinds = 14;
+  static constexpr std::size_t number_of_kinds = 15;
 
   /// counts one more; `name()` says what of the file it is.
   template <typename Name_of_element> void add(Change_kind kind, Name_of_element name) {

@@ -10,9 +10,11 @@
 #include "mend/mending.h"
 
 #include "interrupt.h"
+#include "mend/near_points.h"
 #include "mend/steps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -25,6 +27,16 @@ bool can_be_mended(const Soup& soup) {
              Soup::largest_number_of_halfedges &&
          soup.points.size() <= Soup::largest_number_of_halfedges &&
          std::all_of(soup.points.begin(), soup.points.end(), is_finite);
+}
+
+double length_on(const Soup& soup, const Relative_length& length) {
+  if(!length.is_share || soup.points.empty())
+    return length.value;
+  const CGAL::Bbox_3 box = CGAL::bbox_3(soup.points.begin(), soup.points.end());
+  double diagonal = 0.;
+  for(int i = 0; i < 3; ++i)
+    diagonal = std::hypot(diagonal, box.max(i) - box.min(i));
+  return length.value * diagonal;
 }
 
 // While edges have the numbers that they had, and before faces are divided.
@@ -76,8 +88,6 @@ public:
   void finish_report() {
     if(!is_compared_)
       compare_vertices();
-    if(mended_.log.has_any())
-      report_boundary(before_, mended_);
   }
 
 private:
@@ -136,6 +146,11 @@ Mended_soup mend(Soup soup, const Remedies& remedies) {
     return mended;
   mended.face_in_file.resize(mended.soup.faces.size());
   std::iota(mended.face_in_file.begin(), mended.face_in_file.end(), 0u);
+  std::optional<Soup> before;
+  if(remedies.do_repair || remedies.weld)
+    before = mended.soup;
+  if(remedies.weld)
+    weld_near_points(mended, length_on(mended.soup, *remedies.weld));
   std::optional<Repair> repair;
   if(remedies.do_repair)
     repair.emplace(mended, remedies).mend_points();
@@ -146,6 +161,8 @@ Mended_soup mend(Soup soup, const Remedies& remedies) {
     repair->mend_surface();
   if(repair)
     repair->finish_report();
+  if(before && mended.log.has_any())
+    report_boundary(*before, mended);
   mended.changes = mended.log.changes();
   return mended;
 }

@@ -17,6 +17,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,14 +42,23 @@ using Repair_steps = std::bitset<number_of_repair_steps>;
 /// what the step is called in options.
 const char* name_of(Repair_step step);
 
+/// A length, or a share of the diagonal of the box of a mesh.
+struct Relative_length
+{
+  double value;
+  bool is_share;
+};
+
 /// What may be done to a mesh that is not fit as it is.
 struct Remedies
 {
   bool do_triangulate = false;
   bool do_repair = false;
   Repair_steps steps = Repair_steps(~0ull); ///< of the repair
+  std::optional<Relative_length> weld =
+      std::nullopt; ///< within which points of open edges are welded
 
-  bool any() const { return do_triangulate || do_repair; }
+  bool any() const { return do_triangulate || do_repair || weld.has_value(); }
   bool has(Repair_step step) const {
     return do_repair && steps.test(static_cast<std::size_t>(step));
   }
@@ -80,9 +90,10 @@ struct Mended_soup
   }
 };
 
-/// applies remedies. What they do not help against stays: points that are nowhere, a surface of
-/// which no component is orientable. A sound soup without pillows is left as it is. Takes a time
-/// that is linear but for sorting.
+/// applies remedies; throws `Failure` if welding within a length would make no surface. What they
+/// do not help against stays: points that are nowhere, a surface of which no component is
+/// orientable. A sound soup without pillows is left as it is. Takes a time that is linear but for
+/// sorting.
 Mended_soup mend(Soup soup, const Remedies& remedies);
 
 } // namespace htloops

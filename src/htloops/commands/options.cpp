@@ -161,6 +161,26 @@ void add_repair_steps(CLI::App& command, const char* name, Remedies& remedies) {
       ->check(CLI::IsMember(steps));
 }
 
+void add_weld_option(CLI::App& command, Remedies& remedies) {
+  const auto take = [&remedies](const std::string& text) {
+    remedies.weld = {*parse_length("--weld", text), text.back() == '%'};
+  };
+  command
+      .add_option_function<std::string>(
+          "--weld", take,
+          "make one vertex of those of open edges that are so near to each other; a\n"
+          "percentage is of the diagonal of the bounding box. Refused where the result\n"
+          "would be no surface")
+      ->option_text("L|P%")
+      ->check([](const std::string& text) -> std::string {
+        try {
+          return parse_length("the length", text) ? "" : "no length";
+        } catch(const Failure& failure) {
+          return failure.what();
+        }
+      });
+}
+
 void add_remedy_options(CLI::App& command, Mesh_options& options) {
   command.option_defaults()->group("If the mesh is not fit as it is");
   command.add_flag("--triangulate", options.remedies.do_triangulate,
@@ -169,6 +189,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
                    "weld points, drop degenerate and duplicate faces, split edges and\n"
                    "vertices with too many faces, turn faces over; says what it did");
   add_repair_steps(command, "--repair-steps", options.remedies);
+  add_weld_option(command, options.remedies);
   add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
              "the mesh as it is then, which the answer is about: " + words_of_written_meshes());
 }
@@ -179,11 +200,18 @@ Input_file input_of(const Mesh_options& options) {
   return Input_file(options.mesh_file, options.format);
 }
 
+void show_note(const std::string& file, const Near_boundary& found) {
+  if(!found.words().empty())
+    std::fputs(("htloops: note: " + file + ": " + found.words() + "\n").c_str(), stderr);
+}
+
 Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file) {
   const std::string name = file.name();
   Mended_mesh mended = read_mesh(std::move(file), options.remedies);
   if(options.remedies.any() && !options.is_quiet)
     std::fputs(table_of_changes(name, mended.changes).c_str(), stderr);
+  if(!options.is_quiet)
+    show_note(name, near_boundary_of(mended.mesh));
   return mended;
 }
 

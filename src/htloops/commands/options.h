@@ -14,6 +14,7 @@
 #include "app/draw/pictures.h"
 #include "app/draw/view.h"
 #include "app/mend/mesh_reader.h"
+#include "app/mend/near_points.h"
 #include "app/mesh_types.h"
 #include "app/read/loops_reader.h"
 
@@ -61,6 +62,12 @@ void add_format_option(CLI::App& command, Mesh_options& options);
 
 /// declares which steps of the repair are to be done; asking for some asks for the repair.
 void add_repair_steps(CLI::App& command, const char* name, Remedies& remedies);
+
+/// declares within which length points are welded.
+void add_weld_option(CLI::App& command, Remedies& remedies);
+
+/// says on the standard error that a mesh is nearly welded, if it is.
+void show_note(const std::string& file, const Near_boundary& found);
 
 /// declares what may be done to it.
 void add_remedy_options(CLI::App& command, Mesh_options& options);

@@ -64,6 +64,8 @@ void run(const Repair_options& options) {
   if(!options.is_dry_run && are_triangles(mended.soup) && !mended.soup.faces.empty())
     write_mesh(options.written_mesh_file, triangles_of(mended.soup), mended.soup.facts);
   require_fit(file.name(), defects);
+  if(!options.is_quiet)
+    show_note(file.name(), near_boundary_of(build_mesh(mended.soup).mesh));
 }
 
 constexpr char repair_description[] =
@@ -92,6 +94,8 @@ Examples:
   htloops repair soup.stl -o sound.off            all steps
   htloops repair soup.obj --triangulate --dry-run what would be done
   htloops repair soup.off --steps weld,orient -o welded.off
+  htloops repair scan.stl --weld 0.001% -o sound.stl
+                                                  points are nearly at the same place
 )";
 
 } // namespace
@@ -108,6 +112,7 @@ void add_repair_command(CLI::App& app, Command& command) {
   repair->add_flag("--triangulate", options->remedies.do_triangulate,
                    "make triangles of faces with more corners, too");
   add_repair_steps(*repair, "--steps", options->remedies);
+  add_weld_option(*repair, options->remedies);
   repair->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
   complete_help(*repair, repair_examples);
   repair->callback([options, &command] { command = [options] { run(*options); }; });

@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "mend/near_points.h"
+
+#include "failure.h"
+#include "mend/steps.h"
+#include "words.h"
+
+#include <CGAL/Bbox_3.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+constexpr double near_share = 1e-5; // of the diagonal
+
+using Cell = std::array<double, 3>; // of a grid, by whole numbers
+
+double squared_distance(const Point& p, const Point& q) {
+  double sum = 0.;
+  for(int i = 0; i < 3; ++i)
+    sum += (p[i] - q[i]) * (p[i] - q[i]);
+  return sum;
+}
+
+// Vertices that others lie at, in a grid whose cells are as wide as the length.
+class Places
+{
+public:
+  Places(const std::vector<Point>& points, const std::vector<std::uint64_t>& edges, double length)
+      : points_(points)
+      , edges_(edges)
+      , length_(length) {}
+
+  std::uint32_t place_of(std::uint32_t v) {
+    const Cell own = cell_of(points_[v]);
+    std::uint32_t best = v;
+    double least = length_ * length_;
+    for_each_cell_around(own, [&](const Cell& cell) {
+      const auto found = places_in_.find(cell);
+      if(found == places_in_.end())
+        return;
+      for(const std::uint32_t place : found->second) {
+        const double distance = squared_distance(points_[place], points_[v]);
+        const bool is_nearer =
+            distance < least || (distance == least && (best == v || place < best));
+        if(distance <= length_ * length_ && is_nearer && !has_edge_to(place, v)) {
+          best = place;
+          least = distance;
+        }
+      }
+    });
+    if(best == v)
+      places_in_[own].push_back(v);
+    at_[best].push_back(v);
+    return best;
+  }
+
+private:
+  Cell cell_of(const Point& p) const {
+    const auto number = [this](double x) { return std::floor(x / length_) + 0.; };
+    return {number(p.x()), number(p.y()), number(p.z())};
+  }
+
+  template <typename Visit> static void for_each_cell_around(const Cell& cell, Visit visit) {
+    for(int i = -1; i <= 1; ++i)
+      for(int j = -1; j <= 1; ++j)
+        for(int k = -1; k <= 1; ++k)
+          visit(Cell{cell[0] + i, cell[1] + j, cell[2] + k});
+  }
+
+  bool has_edge_to(std::uint32_t place, std::uint32_t v) const {
+    const std::vector<std::uint32_t>& members = at_.at(place);
+    return std::any_of(members.begin(), members.end(), [&](std::uint32_t member) {
+      return std::binary_search(edges_.begin(), edges_.end(), edge_key(member, v));
+    });
+  }
+
+  const std::vector<Point>& points_;
+  const std::vector<std::uint64_t>& edges_;
+  const double length_;
+  std::unordered_map<Cell, std::vector<std::uint32_t>, boost::hash<Cell>> places_in_;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> at_; // what lies at a place
+};
+
+// The sides of all faces, once for each of these.
+std::vector<std::uint64_t> sides_of(const Soup& soup) {
+  std::vector<std::uint64_t> sides;
+  for_each_polygon(soup, [&sides](std::size_t, const Corners& corners) {
+    for_each_side(corners, [&sides](std::uint32_t u, std::uint32_t v) {
+      if(u != v)
+        sides.push_back(edge_key(u, v));
+    });
+  });
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+// Calls `visit(edge, number of faces)`.
+template <typename Visit> void for_each_edge(const std::vector<std::uint64_t>& sides, Visit visit) {
+  for(auto begin = sides.begin(); begin != sides.end();) {
+    const auto end =
+        std::find_if(begin, sides.end(), [begin](std::uint64_t side) { return side != *begin; });
+    visit(*begin, end - begin);
+    begin = end;
+  }
+}
+
+std::array<std::uint32_t, 2> ends_of(std::uint64_t edge) {
+  return {static_cast<std::uint32_t>(edge >> 32), static_cast<std::uint32_t>(edge)};
+}
+
+std::vector<std::uint32_t> vertices_of_open_edges(const std::vector<std::uint64_t>& sides) {
+  std::vector<std::uint32_t> vertices;
+  for_each_edge(sides, [&vertices](std::uint64_t edge, std::ptrdiff_t faces) {
+    if(faces == 1)
+      for(const std::uint32_t v : ends_of(edge))
+        vertices.push_back(v);
+  });
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::string words_of(const Point& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
+  return text;
+}
+
+// Edges that had more than two faces before do not count.
+void check_not_crowded(const Soup& soup,
+                       const std::vector<std::uint64_t>& crowded_before,
+                       double length) {
+  for_each_edge(sides_of(soup), [&](std::uint64_t edge, std::ptrdiff_t faces) {
+    if(faces <= 2 || std::binary_search(crowded_before.begin(), crowded_before.end(), edge))
+      return;
+    const auto [u, v] = ends_of(edge);
+    throw Failure(Exit_code::UNACCEPTABLE_MESH,
+                  "--weld: within " + in_words(length) + " it would join " + std::to_string(faces) +
+                      " faces along " + name_of_edge(u, v) + ", near " + words_of(soup.points[u]) +
+                      ", and the result would be no surface; a smaller length may do");
+  });
+}
+
+std::size_t number_of_single_triangles(const Mesh& mesh) {
+  std::size_t number = 0;
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f), next = mesh.next(h);
+    const auto is_free = [&mesh](Mesh::Halfedge_index side) {
+      return mesh.is_border(mesh.opposite(side));
+    };
+    number += is_free(h) && is_free(next) && is_free(mesh.next(next)) ? 1 : 0;
+  }
+  return number;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> nearest_before(const std::vector<Point>& points,
+                                          const std::vector<std::uint32_t>& vertices,
+                                          const std::vector<std::uint64_t>& edges,
+                                          double length) {
+  Places places(points, edges, length);
+  std::vector<std::uint32_t> nearest;
+  for(const std::uint32_t v : vertices)
+    nearest.push_back(is_finite(points[v]) ? places.place_of(v) : v);
+  return nearest;
+}
+
+void weld_near_points(Mended_soup& mended, double length) {
+  Soup& soup = mended.soup;
+  const std::vector<std::uint64_t> sides = sides_of(soup);
+  const std::vector<std::uint32_t> vertices = vertices_of_open_edges(sides);
+  const std::vector<std::uint32_t> nearest = nearest_before(soup.points, vertices, sides, length);
+  std::vector<std::uint32_t> welded(soup.points.size());
+  for(std::uint32_t v = 0; v < welded.size(); ++v)
+    welded[v] = v;
+  for(std::size_t i = 0; i < vertices.size(); ++i) {
+    welded[vertices[i]] = nearest[i];
+    if(nearest[i] != vertices[i])
+      mended.log.add(Change_kind::NEAR_VERTICES_WELDED, [&] {
+        return name_of_vertex(vertices[i]) + " with " + name_of_vertex(nearest[i]);
+      });
+  }
+  std::vector<std::uint64_t> crowded;
+  for_each_edge(sides, [&](std::uint64_t edge, std::ptrdiff_t faces) {
+    const auto [u, v] = ends_of(edge);
+    if(faces > 2)
+      crowded.push_back(edge_key(welded[u], welded[v]));
+  });
+  std::sort(crowded.begin(), crowded.end());
+  for(Soup_face& face : soup.faces)
+    for(std::uint32_t& v : face)
+      v = welded[v];
+  for(std::uint32_t& v : soup.further_corners)
+    v = welded[v];
+  check_not_crowded(soup, crowded, length);
+}
+
+std::string Near_boundary::words() const {
+  if(near_edges == 0)
+    return "";
+  return std::to_string(near_edges) + " of " + counted(edges, "edge", "edges") +
+         " of the boundary lie on others of it within 1e-5" + " of the diagonal" +
+         (single_triangles > 0
+              ? ", and " + counted(single_triangles, "component is a single triangle",
+                                   "components are single triangles")
+              : "") +
+         (is_exact ? ": --repair welds them"
+                   : ": points are nearly welded, and --weld 0.001% welds them");
+}
+
+Near_boundary near_boundary_of(const Mesh& mesh) {
+  std::vector<std::uint64_t> edges;
+  std::vector<std::uint32_t> vertices;
+  Near_boundary found;
+  for(const Mesh::Edge_index e : mesh.edges())
+    if(mesh.is_border(e)) {
+      const std::uint32_t u = mesh.vertex(e, 0).idx(), v = mesh.vertex(e, 1).idx();
+      edges.push_back(edge_key(u, v));
+      vertices.insert(vertices.end(), {u, v});
+    }
+  if(edges.empty())
+    return found;
+  std::sort(edges.begin(), edges.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  const double diagonal = std::sqrt(squared_distance(Point(box.xmin(), box.ymin(), box.zmin()),
+                                                     Point(box.xmax(), box.ymax(), box.zmax())));
+  if(!(diagonal > 0.) || !std::isfinite(diagonal))
+    return found;
+  const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
+  const std::vector<std::uint32_t> nearest =
+      nearest_before(points, vertices, edges, near_share * diagonal);
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    found.is_exact = found.is_exact && points[vertices[i]] == points[nearest[i]];
+  const auto place = [&](std::uint32_t v) {
+    return nearest[static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                            vertices.begin())];
+  };
+  std::vector<std::uint64_t> places;
+  for(const std::uint64_t edge : edges) {
+    const auto [u, v] = ends_of(edge);
+    if(place(u) != place(v))
+      places.push_back(edge_key(place(u), place(v)));
+  }
+  std::sort(places.begin(), places.end());
+  for_each_edge(places, [&found](std::uint64_t, std::ptrdiff_t number) {
+    found.near_edges += number > 1 ? static_cast<std::size_t>(number) : 0;
+  });
+  found.edges = edges.size();
+  found.single_triangles = found.near_edges > 0 ? number_of_single_triangles(mesh) : 0;
+  return found;
+}
+
+} // namespace htloops
