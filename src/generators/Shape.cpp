@@ -108,7 +108,7 @@ std::size_t two_digits(double faces) {
 std::optional<std::size_t> enough_faces(const Shape& shape, std::size_t too_few, std::size_t most) {
   std::optional<std::size_t> enough;
   for(std::size_t faces = too_few; (faces = two_digits(1.3 * static_cast<double>(faces))) <= most;)
-    if(genus(lattice_mesh(shape, faces).soup) != *shape.genus())
+    if(genus(lattice_mesh(shape, faces, shape.most_spacing(faces)).soup) != *shape.genus())
       enough.reset();
     else if(enough)
       return enough;
@@ -123,7 +123,8 @@ std::string too_few(std::size_t faces) {
 
 // With how many faces a shape can be made.
 std::string advice(const Shape& shape, std::size_t faces) {
-  constexpr std::size_t most = 400000; // more would take long
+  const std::size_t parts = (std::max)(shape.number_of_parts(), std::size_t(100));
+  const std::size_t most = 40000000 / parts; // more would take long
   if(const auto enough = enough_faces(shape, (std::max)(faces, fewest_shape_faces), most))
     return "; " + std::to_string(*enough) + " are enough";
   return ", or the text is wrong: none of the numbers that were tried, up to " +
@@ -205,6 +206,13 @@ private:
     return value;
   }
 
+  std::size_t whole_number() {
+    const double value = number();
+    if(!(value >= 0. && value <= 1e9 && value == std::floor(value)))
+      fail("that is no whole number");
+    return static_cast<std::size_t>(value);
+  }
+
   Vector point() {
     const double x = number(), y = number();
     return {x, y, number()};
@@ -219,9 +227,9 @@ private:
 
   void read_line(const std::string& word) {
     if(word == "genus")
-      shape_.genus_ = static_cast<std::size_t>(number());
+      shape_.genus_ = whole_number();
     else if(word == "faces")
-      shape_.faces_ = static_cast<std::size_t>(positive());
+      shape_.faces_ = whole_number();
     else if(word == "blend")
       blend_ = (std::max)(number(), 0.);
     else
@@ -243,7 +251,12 @@ private:
     const bool is_cut = word == "cut";
     if(is_cut && !(words_ >> name))
       fail("what is cut?");
-    const auto [distance, box] = primitive(name);
+    const auto [distance, box, area, volume] = primitive(name);
+    if(shape_.parts_.size() + motions.size() > most_parts)
+      fail("these are more than 10000 parts");
+    shape_.most_area_ += static_cast<double>(motions.size()) * area;
+    if(!is_cut)
+      shape_.most_volume_ += static_cast<double>(motions.size()) * volume;
     for(const Motion& motion : motions) {
       shape_.parts_.push_back({[distance = distance, motion](const Vector& p, double rounding) {
                                  return distance(motion(p), rounding);
@@ -258,10 +271,12 @@ private:
     const double count = number();
     std::string how;
     words_ >> how;
-    if(!(count >= 1. && count <= 10000.) || (how != "by" && how != "around"))
+    if(!(count >= 1. && count <= most_parts) || (how != "by" && how != "around"))
       fail("after 'times' come a number and 'by' or 'around'");
     const Vector first = point();
     const Vector direction = how == "around" ? axis() : Vector(0., 0., 1.);
+    if(count * static_cast<double>(motions.size()) > most_parts)
+      fail("that is a part more than 10000 times");
     std::vector<Motion> result;
     for(int i = 0; i < static_cast<int>(count); ++i)
       for(const Motion& motion : motions)
@@ -275,31 +290,46 @@ private:
     return result;
   }
 
-  // How far it is to a part, and a box around the part.
-  std::pair<Distance, Box> primitive(const std::string& name) {
+  // How far it is to a part, a box around the part, and what its area and its volume are at most.
+  struct Primitive
+  {
+    Distance distance;
+    Box box;
+    double area, volume;
+  };
+
+  // Around a way of some length, with round ends.
+  static Primitive around(double length, double r, const Box& way, const Distance& distance) {
+    return {distance, way.grown(r), 2. * CGAL_PI * r * (length + 2. * r),
+            CGAL_PI * r * r * (length + 4. / 3. * r)};
+  }
+
+  Primitive primitive(const std::string& name) {
     if(name == "ball") {
       const Vector middle = point();
       const double r = positive();
-      return {[=](const Vector& p, double) { return length(p - middle) - r; },
-              Box{middle, middle}.grown(r)};
+      return around(0., r, Box{middle, middle},
+                    [=](const Vector& p, double) { return length(p - middle) - r; });
     }
     if(name == "rod" || name == "cylinder") {
       const Vector a = point(), b = point();
       const double r = positive();
       if(!(length(b - a) > 0.))
         fail("it has no length");
-      const Box box = Box{a, a}.with(b).grown(r);
+      const Box way = Box{a, a}.with(b);
       if(name == "rod")
-        return {[=](const Vector& p, double) { return segment_distance(p, a, b) - r; }, box};
-      return {[=](const Vector& p, double edge) { return cylinder_distance(p, a, b, r, edge); },
-              box};
+        return around(length(b - a), r, way,
+                      [=](const Vector& p, double) { return segment_distance(p, a, b) - r; });
+      return around(length(b - a), r, way, [=](const Vector& p, double edge) { // a little less
+        return cylinder_distance(p, a, b, r, edge);
+      });
     }
     if(name == "ring") {
       const Vector middle = point(), direction = axis();
       const double radius = positive(), r = positive();
-      return {
-          [=](const Vector& p, double) { return ring_distance(p, middle, direction, radius) - r; },
-          Box{middle, middle}.grown(radius + r)};
+      return around(
+          2. * CGAL_PI * radius, r, Box{middle, middle}.grown(radius),
+          [=](const Vector& p, double) { return ring_distance(p, middle, direction, radius) - r; });
     }
     if(name == "block") {
       const Vector a = point(), b = point();
@@ -311,7 +341,8 @@ private:
                 return block_distance(p, box.low, box.high,
                                       (std::max)(rounding, edge_radius(edge, room)));
               },
-              box};
+              box, 2. * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()),
+              size.x() * size.y() * size.z()};
     }
     if(name == "pipe")
       return pipe();
@@ -320,7 +351,7 @@ private:
     fail("'" + name + "' is no part; parts are ball, rod, cylinder, pipe, ring, knot and block");
   }
 
-  std::pair<Distance, Box> pipe() {
+  Primitive pipe() {
     const double r = positive();
     const auto position = words_.tellg();
     std::string word;
@@ -337,7 +368,7 @@ private:
     return tube(smooth_curve(points, is_closed), r);
   }
 
-  std::pair<Distance, Box> knot() {
+  Primitive knot() {
     const double p = number(), q = number(), radius = positive(), small = positive();
     const double r = positive();
     constexpr int steps = 300;
@@ -350,11 +381,15 @@ private:
     return tube(curve, r);
   }
 
-  static std::pair<Distance, Box> tube(const std::vector<Vector>& curve, double r) {
+  static Primitive tube(const std::vector<Vector>& curve, double r) {
     Box box{curve.front(), curve.front()};
-    for(const Vector& p : curve)
-      box = box.with(p);
-    return {[=](const Vector& p, double) { return curve_distance(p, curve) - r; }, box.grown(r)};
+    double way = 0.;
+    for(std::size_t i = 0; i < curve.size(); ++i) {
+      box = box.with(curve[i]);
+      way += length(curve[i] - curve[i == 0 ? 0 : i - 1]);
+    }
+    return around(way, r, box,
+                  [=](const Vector& p, double) { return curve_distance(p, curve) - r; });
   }
 
   // A motion is from the place of a repetition back to the part: its box is moved the other way,
@@ -372,7 +407,8 @@ private:
     }
   }
 
-  static constexpr double largest = 1e100; // squares and their sums are numbers, too
+  static constexpr double most_parts = 10000.; // each is looked at for each point of a lattice
+  static constexpr double largest = 1e100;     // squares and their sums are numbers, too
 
   Shape& shape_;
   std::istringstream lines_, words_;
@@ -392,6 +428,13 @@ Shape Shape::rounded(double radius) const {
   return shape;
 }
 
+// Of the lattice 12 or 13 triangles take the square of the spacing, and no more than 24 are around
+// each of the two points in its cube.
+double Shape::most_spacing(std::size_t faces) const {
+  const double count = static_cast<double>(faces);
+  return (std::min)(std::sqrt(15. * most_area_ / count), std::cbrt(100. * most_volume_ / count));
+}
+
 double Shape::operator()(const Vector& p) const {
   double distance = std::numeric_limits<double>::infinity();
   for(const Part& part : parts_) {
@@ -408,7 +451,7 @@ Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name)
   if(faces < fewest_shape_faces)
     throw std::invalid_argument(too_few(faces) + " for a shape" +
                                 (shape.genus() ? advice(shape, faces) : std::string()));
-  const Lattice_mesh mesh = lattice_mesh(shape, faces);
+  const Lattice_mesh mesh = lattice_mesh(shape, faces, shape.most_spacing(faces));
   if(shape.genus() && genus(mesh.soup) != *shape.genus())
     throw std::invalid_argument(too_few(faces) + " for the genus " +
                                 std::to_string(*shape.genus()) + " of the shape, they show " +

@@ -51,6 +51,11 @@ public:
   double operator()(const Vector& p) const override;
   Box box() const override { return box_; }
 
+  /// the coarsest lattice that can show so many faces: of its surface there is not enough for more,
+  /// and of thin parts no more is seen than what lies around points in them.
+  double most_spacing(std::size_t faces) const;
+
+  std::size_t number_of_parts() const { return parts_.size(); }
   const std::string& description() const { return description_; }
   std::optional<std::size_t> genus() const { return genus_; }
   std::size_t faces() const { return faces_; }
@@ -73,6 +78,7 @@ private:
   std::optional<std::size_t> genus_;
   std::size_t faces_ = 40000;
   double rounding_ = 0.;
+  double most_area_ = 0., most_volume_ = 0.; // sums of those of the parts
   std::vector<Part> parts_;
   Box box_;
 };

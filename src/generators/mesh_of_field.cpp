@@ -63,6 +63,11 @@ double most_lattice_points(std::size_t faces) {
   return (std::max)(5e8, 16. * std::pow(static_cast<double>(faces), 1.5));
 }
 
+std::invalid_argument too_thin(std::size_t faces) {
+  return std::invalid_argument("the parts of the shape are too thin for " + std::to_string(faces) +
+                               " faces");
+}
+
 /// Looks for the spacing of the lattice that gives a number of faces, which grows about as
 /// spacing^-2.
 class Spacing_search
@@ -93,8 +98,7 @@ public:
       expected = static_cast<std::size_t>(1.1 * factor * faces);
       change_spacing(faces < wanted, factor);
       if(!has_lattice())
-        throw std::invalid_argument("the parts of the shape are too thin for " +
-                                    std::to_string(wanted) + " faces");
+        throw too_thin(wanted);
     }
   }
 
@@ -195,8 +199,11 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
                               std::to_string(request.genus));
 }
 
-Lattice_mesh lattice_mesh(const Field& field, std::size_t faces) {
-  return Spacing_search(field, most_lattice_points(faces)).mesh_with_faces(faces);
+Lattice_mesh lattice_mesh(const Field& field, std::size_t faces, double most_spacing) {
+  const double most_points = most_lattice_points(faces);
+  if(lattice_points(field.box(), most_spacing) > most_points)
+    throw too_thin(faces);
+  return Spacing_search(field, most_points).mesh_with_faces(faces);
 }
 
 Soup fitted(const Lattice_mesh& mesh, const Field& field) {

@@ -12,6 +12,9 @@
 
 #include "Field.h"
 
+#include <cstddef>
+#include <limits>
+
 namespace CGAL::Handle_tunnel_loops::generators {
 
 /// meshes a solid whose surface is connected and has the genus asked for, with about as many faces
@@ -31,8 +34,11 @@ struct Lattice_mesh
 };
 
 /// the first step of `mesh_of_field()`. Throws `std::invalid_argument` if the solid is empty, or
-/// too thin for so many faces.
-Lattice_mesh lattice_mesh(const Field& field, std::size_t faces);
+/// too thin for so many faces: at once if a lattice of `most_spacing`,
+/// than which it is to be finer, has too many points.
+Lattice_mesh lattice_mesh(const Field& field,
+                          std::size_t faces,
+                          double most_spacing = (std::numeric_limits<double>::infinity)());
 
 /// the second step: the mesh moved onto the surface of the solid.
 Soup fitted(const Lattice_mesh& mesh, const Field& field);

@@ -103,6 +103,10 @@ TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
       {"ball 1e15 0 0 1\n", "too far"},
       {"times 200 by 1 0 0 cut ball 0 0 0 1\n", "empty"},
       {"pipe 0.1 0 0 0\n", "two points"},
+      {"times 101 by 1 0 0 times 100 by 0 1 0 ball 0 0 0 1\n", "more than 10000"},
+      {"times 9999 by 1 0 0 ball 0 0 0 1\nball 0 0 0 1\nball 0 0 0 1\n", "line 3"},
+      {"genus -1\nball 0 0 0 1\n", "whole number"},
+      {"faces 1e30\nball 0 0 0 1\n", "whole number"},
       {"cut\n", "what"}};
   for(const auto& [text, words] : wrong)
     try {
@@ -120,7 +124,10 @@ TEST(Shape, WithoutASurfaceIsRefused) {
       {"ball 0 0 0 1\ncut ball 0 0 0 2\n", "the shape is empty"},
       {"ball 0 0 0 1\ncut ball 0 0 0 1.0001\n", "2000 faces"},
       {"ball 0 0 0 0.001\nball 100 0 0 0.001\n", "2000 faces"},
-      {"ball 0 0 0 0.001\nball 100 100 100 0.001\n", "2000 faces"}};
+      {"ball 0 0 0 0.001\nball 100 100 100 0.001\n", "2000 faces"},
+      // For these the search would go on for hours.
+      {"times 100 by 10 0 0 times 100 by 0 10 0 ball 0 0 0 0.001\n", "too thin for 2000 faces"},
+      {"times 100 by 9 0 0 times 100 by 0 9 0 rod 0 0 0 5 0 0 0.001\n", "too thin for 2000 faces"}};
   Request request;
   request.faces = 2000;
   for(const auto& [text, words] : wrong)
