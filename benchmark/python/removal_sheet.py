@@ -61,7 +61,7 @@ def removed(htloops, mesh, pair, folder):
     """What the removal does to a mesh; None, and a word about it, if it cannot be done."""
     before, after, report = (folder / name for name in ("before.off", "after.off", "report.json"))
     command = [htloops, "remove", mesh, "-q", "-o", after, "--write-mesh", before]
-    command += ["--report", report] + (["--pairs", pair] if pair else [])
+    command += ["--report", report] + (["--pairs", pair] if pair else ["--all"])
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     if done.returncode != 0:
         print(f"{mesh}: {done.stderr.strip()}")

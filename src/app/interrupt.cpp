@@ -54,10 +54,12 @@ struct Guarded_signal
 };
 
 const Guarded_signal guarded_signals[] = {
-    {SIGINT, note_signal},
-    {SIGTERM, note_signal},
+    {SIGINT, note_signal},  {SIGTERM, note_signal},
 #ifdef SIGHUP
     {SIGHUP, note_signal},
+#endif
+#ifdef SIGPIPE
+    {SIGPIPE, note_signal},
 #endif
 #ifdef SIGXFSZ
     {SIGXFSZ, SIG_IGN},

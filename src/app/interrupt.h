@@ -22,9 +22,10 @@ public:
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// While an object lives, Ctrl-C, a request to terminate and the end of the terminal are noted
-/// instead of ending the program; a second one ends it at once, unless a file is being written. A
-/// file that grows beyond a limit is an error of writing, no signal. Guards may be nested.
+/// While an object lives, Ctrl-C, a request to terminate, the end of the terminal and that of who
+/// reads from a pipe are noted instead of ending the program; a second one ends it at once, unless
+/// a file is being written. A file that grows beyond a limit is an error of writing, no signal.
+/// Guards may be nested.
 class Interrupt_guard
 {
 public:
@@ -35,7 +36,7 @@ public:
 
 private:
   using Handler = void (*)(int);
-  Handler previous_[4];
+  Handler previous_[5];
 };
 
 /// While an object lives, a file exists that would have to be removed: nothing ends the program,

@@ -20,6 +20,7 @@ endif()
 list(APPEND HTLOOPS_APP_SOURCES
   solve/changeable_mesh.cpp
   version.cpp
+  file_names.cpp
   interrupt.cpp
   draw/gltf.cpp
   draw/layers.cpp
@@ -45,6 +46,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/Zip_content.cpp
   read/input_file.cpp
   read/loops_reader.cpp
+  read/mesh_list.cpp
   read/skeleton_reader.cpp
   read/soup.cpp
   read/soup_diagnosis.cpp
@@ -65,6 +67,8 @@ list(APPEND HTLOOPS_APP_SOURCES
   write/documents.cpp
   write/dual_formats.cpp
   write/files.cpp
+  write/growing_file.cpp
+  write/line_files.cpp
   write/rows.cpp
   write/mesh_writer.cpp
   write/pair_listing.cpp

@@ -4,12 +4,14 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/cut_command.cpp
   commands/generate_command.cpp
   commands/help.cpp
+  commands/lists.cpp
   commands/loops_command.cpp
   commands/loops_options.cpp
   commands/many_meshes.cpp
   commands/options.cpp
   commands/reeb_command.cpp
   commands/remove_command.cpp
+  commands/remove_options.cpp
   commands/repair_command.cpp
   commands/skeleton_command.cpp
   commands/tool.cpp

@@ -12,6 +12,7 @@
 #include "draw/skeletons.h"
 #include "draw/surfaces.h"
 #include "draw/tints.h"
+#include "file_names.h"
 #include "words.h"
 #include "write/files.h"
 #include "write/throat_tables.h"
@@ -244,8 +245,8 @@ htl_window::Scene scene_of(const View& view,
                            const Drawn_surface& surface) {
   const std::filesystem::path path(mesh_file);
   htl_window::Scene scene;
-  scene.title = title + " " + path.filename().string();
-  scene.name = path.stem().string();
+  scene.title = title + " " + printable(path.filename().string());
+  scene.name = printable(path.stem().string());
   const auto [from, up] = whole_view(view, surface);
   scene.view = from;
   scene.up = up;
@@ -321,15 +322,6 @@ void write_skeleton_page(const std::string& file,
   scene.paragraphs = lines_of(summary);
   add_arcs(scene, answer);
   write_page(file, scene);
-}
-
-Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report) {
-  Pairs chosen;
-  for(const Removed_handle& handle : report.removed)
-    chosen.push_back(pairs[handle.pair]);
-  for(const Refused_handle& handle : report.refused)
-    chosen.push_back(pairs[handle.pair]);
-  return chosen;
 }
 
 void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown) {

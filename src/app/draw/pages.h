@@ -65,9 +65,6 @@ struct Removal_shown
   const Mesh& after;
 };
 
-/// the pairs of the handles that were to be removed, refused ones among them.
-Pairs pairs_to_remove(const Pairs& pairs, const Removal_report& report);
-
 /// writes a page in which both meshes can be turned, with the loops of these pairs and what became
 /// of each.
 void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown);

@@ -12,6 +12,7 @@
 #ifdef HTLOOPS_HAS_PICTURE
 
 #include "failure.h"
+#include "file_names.h"
 #include "interrupt.h"
 #include "picture/picture.h"
 #include "write/files.h"
@@ -97,7 +98,7 @@ void export_picture(const Picture_options& options,
     content = htl_picture::encode_picture(surface.points, surface.triangles, surface.colours,
                                           tubes_along(lines, options.has_labels), picture);
   } catch(const std::runtime_error& error) {
-    throw wrong_usage("--picture " + file + ": " + error.what());
+    throw wrong_usage("--picture " + printable(file) + ": " + error.what());
   }
   // The file is begun when the picture is there, which takes its time, and never by libpng, which
   // would remove what it cannot write to.

@@ -10,6 +10,7 @@
 #include "read/input_file.h"
 
 #include "failure.h"
+#include "file_names.h"
 #include "interrupt.h"
 #include "window/packing.h"
 
@@ -29,7 +30,8 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file) {
   throw_if_interrupted(); // while it waited
-  throw Failure(Exit_code::UNREADABLE_FILE, "cannot read " + file + ": " + std::strerror(errno));
+  throw Failure(Exit_code::UNREADABLE_FILE,
+                "cannot read " + printable(file) + ": " + std::strerror(errno));
 }
 
 std::string read_to_the_end(std::FILE* stream, std::size_t expected_size, const std::string& name) {
@@ -65,7 +67,7 @@ std::string read_whole_file(const std::string& file) {
 } // namespace
 
 Input_file::Input_file(std::string name, const std::string& format)
-    : name_(name == "-" ? "the standard input" : name)
+    : name_(name == "-" ? "the standard input" : printable(name))
     , format_(format.empty() ? "" : "." + format) {
   set_content(read_whole_file(name));
 }

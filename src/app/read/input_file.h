@@ -35,6 +35,7 @@ public:
     return file;
   }
 
+  /// as it can be printed.
   const std::string& name() const { return name_; }
 
   /// whether it is of the format of files whose names end so, `.off` say.

@@ -22,7 +22,7 @@
 namespace htloops {
 
 /// writes the coordinates of a point, with blanks between them.
-inline Text_writer& operator<<(Text_writer& out, const Point& point) {
+inline Text& operator<<(Text& out, const Point& point) {
   return out << point.x() << ' ' << point.y() << ' ' << point.z();
 }
 
@@ -137,7 +137,7 @@ private:
   {
     const Cell* points;
 
-    friend Text_writer& operator<<(Text_writer& out, const Numbers_of_points& numbers) {
+    friend Text& operator<<(Text& out, const Numbers_of_points& numbers) {
       const char* blank = "";
       for(const auto point : *numbers.points) {
         out << blank << point;

@@ -9,6 +9,7 @@
 
 #include "write/documents.h"
 
+#include "file_names.h"
 #include "version.h"
 #include "write/files.h"
 #include "write/pair_listing.h"
@@ -466,7 +467,7 @@ void write_loops_json(const std::string& target,
   out.member("format", "htloops/1");
   out.member("tool", version());
   Json mesh_json = json_of_mesh(mesh, answer.statistics);
-  mesh_json["file"] = run.mesh_file;
+  mesh_json["file"] = as_utf8(run.mesh_file);
   out.member("mesh", mesh_json);
   out.member("options", run.options);
   out.member("backend", answer.backend);
@@ -537,7 +538,7 @@ void write_skeleton_json(const std::string& file,
   out.member("tool", version());
   Json mesh = json_of_mesh(answer.vertex_point.size(), answer.statistics.number_of_faces,
                            answer.statistics);
-  mesh["file"] = run.mesh_file;
+  mesh["file"] = as_utf8(run.mesh_file);
   out.member("mesh", mesh);
   out.member("options", run.options);
   out.member("threads", answer.number_of_threads);

@@ -9,6 +9,7 @@
 
 #include "write/files.h"
 
+#include "file_names.h"
 #include "interrupt.h"
 #include "window/packing.h"
 
@@ -25,16 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& target, const std::string& reason) {
-  throw wrong_usage("cannot write " + target + ": " + reason);
-}
-
-[[noreturn]] void fail_with_errno(const std::string& target) {
-  const std::string reason = std::strerror(errno);
-  throw_if_interrupted(); // while it waited
-  fail(target, reason);
-}
-
 // Beside the file. Not with its name, which may be as long as a name can be.
 std::string name_of_temporary(const fs::path& destination) {
   static std::random_device random;
@@ -49,11 +40,18 @@ bool is_dangling_link(const fs::path& path) {
 void check_opens(const std::string& file, const char* mode, const std::string& target) {
   std::FILE* stream = std::fopen(file.c_str(), mode);
   if(stream == nullptr)
-    fail_with_errno(target);
+    fail_to_write(target);
   std::fclose(stream);
 }
 
 } // namespace
+
+void fail_to_write(const std::string& target, const std::string& reason) {
+  throw_if_interrupted(); // while it waited, or by who does not read any more
+  throw wrong_usage("cannot write " + printable(target) + ": " + reason);
+}
+
+void fail_to_write(const std::string& target) { fail_to_write(target, std::strerror(errno)); }
 
 std::string destination_of(const std::string& target) {
   constexpr int largest_number_of_links = 40;
@@ -77,13 +75,13 @@ public:
     std::error_code error;
     const fs::file_status status = fs::status(destination_, error);
     if(fs::is_directory(status))
-      fail(target, "it is a folder");
+      fail_to_write(target, "it is a folder");
     if(fs::exists(status) && !fs::is_regular_file(status)) {
       temporary_ = destination_;
       return;
     }
     if(is_dangling_link(destination_))
-      fail(target, "its links lead nowhere");
+      fail_to_write(target, "its links lead nowhere");
     if(fs::exists(status)) // renaming would replace a read-only file without asking
       check_opens(destination_, "r+b", target);
     unfinished_.emplace();
@@ -107,7 +105,7 @@ public:
       std::error_code error;
       fs::rename(temporary_, destination_, error);
       if(error)
-        fail(target_, error.message());
+        fail_to_write(target_, error.message());
     }
     is_committed_ = true;
   }
@@ -148,7 +146,7 @@ Text_writer::Text_writer(const std::string& target)
   path_ = std::make_unique<Staged_path>(target);
   stream_ = std::fopen(path_->temporary().c_str(), "wb");
   if(stream_ == nullptr)
-    fail_with_errno(target);
+    fail_to_write(target);
 }
 
 Text_writer::~Text_writer() {
@@ -160,14 +158,8 @@ Text_writer::~Text_writer() {
 void Text_writer::flush() {
   throw_if_interrupted();
   if(std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) != buffer_.size())
-    fail_with_errno(path_ ? path_->target() : "the standard output");
+    fail_to_write(path_ ? path_->target() : "the standard output");
   buffer_.clear();
-}
-
-void Text_writer::show() {
-  flush();
-  if(!path_)
-    std::fflush(stream_);
 }
 
 void Text_writer::finish() {
@@ -176,14 +168,14 @@ void Text_writer::finish() {
   flush();
   if(!path_) {
     if(std::fflush(stream_) != 0)
-      fail_with_errno("the standard output");
+      fail_to_write("the standard output");
     return;
   }
   // Only a successful close tells that the last bytes found room on the disk.
   std::FILE* stream = stream_;
   stream_ = nullptr;
   if(std::fclose(stream) != 0)
-    fail_with_errno(path_->target());
+    fail_to_write(path_->target());
   path_->commit();
 }
 

@@ -11,6 +11,7 @@
 #define HTLOOPS_FILES_H
 
 #include "failure.h"
+#include "file_names.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -31,50 +32,75 @@ std::string destination_of(const std::string& target);
 /// came meanwhile; leaves no trace.
 void check_writable(const std::string& target);
 
+/// throws the `Failure` of a file that cannot be written, `Interrupted` if a signal is why.
+[[noreturn]] void fail_to_write(const std::string& target, const std::string& reason);
+[[noreturn]] void fail_to_write(const std::string& target); ///< as `errno` says
+
 /// appends the shortest decimal number that reads back as exactly `value`.
 void append_number(std::string& text, double value);
 
-class Staged_path;
-
-/// A text file written through a buffer; it appears under its name when `finish()` is called,
-/// packed by gzip if the name ends so. The name "-" is the standard output. Throws `Failure` when
-/// the file cannot be written, on a full disk for example, and `Interrupted` on Ctrl-C.
-class Text_writer
+/// Words and numbers, one after the other. A number reads back as exactly itself.
+class Text
 {
 public:
-  explicit Text_writer(const std::string& target);
-  ~Text_writer();
+  Text() = default;
+  Text(const Text&) = delete;
+  Text& operator=(const Text&) = delete;
+  virtual ~Text() = default;
 
-  Text_writer& operator<<(std::string_view text) {
+  Text& operator<<(std::string_view text) {
     buffer_ += text;
-    return flush_if_full();
+    return check_room();
   }
 
-  Text_writer& operator<<(const char* text) { return *this << std::string_view(text); }
+  Text& operator<<(const char* text) { return *this << std::string_view(text); }
 
   template <typename Number>
-  std::enable_if_t<std::is_arithmetic_v<Number>, Text_writer&> operator<<(Number value) {
+  std::enable_if_t<std::is_arithmetic_v<Number>, Text&> operator<<(Number value) {
     if constexpr(std::is_same_v<Number, char>)
       buffer_ += value;
     else if constexpr(std::is_integral_v<Number>)
       buffer_ += std::to_string(value);
     else
       append_number(buffer_, value);
-    return flush_if_full();
+    return check_room();
   }
+
+  /// all of it, unless it goes elsewhere as it comes.
+  const std::string& all() const { return buffer_; }
+
+protected:
+  std::string buffer_;
+
+private:
+  Text& check_room() {
+    constexpr std::size_t buffer_size = std::size_t(1) << 18;
+    if(buffer_.size() >= buffer_size)
+      make_room();
+    return *this;
+  }
+
+  /// moves what there is to where it goes.
+  virtual void make_room() {}
+};
+
+class Staged_path;
+
+/// A text file written through a buffer; it appears under its name when `finish()` is called, packed
+/// by gzip if the name ends so. The name "-" is the standard output. Throws `Failure` when the file
+/// cannot be written, on a full disk for example, and `Interrupted` on Ctrl-C.
+class Text_writer : public Text
+{
+public:
+  explicit Text_writer(const std::string& target);
+  ~Text_writer() override;
 
   void finish();
 
-  /// makes what has been written visible now, where there is a name for it already: on the standard
-  /// output.
-  void show();
-
 private:
-  Text_writer& flush_if_full() {
-    constexpr std::size_t buffer_size = std::size_t(1) << 18;
-    if(buffer_.size() >= buffer_size && !is_packed_)
+  void make_room() override {
+    if(!is_packed_)
       flush();
-    return *this;
   }
 
   void flush();
@@ -82,7 +108,6 @@ private:
   std::unique_ptr<Staged_path> path_; // none for the standard output
   std::FILE* stream_;                 // null when closed
   bool is_packed_;
-  std::string buffer_;
 };
 
 /// writes a file of one text.
@@ -113,7 +138,7 @@ const File_format<Writer>& format_of(const std::string& file,
       return format;
     known += " " + std::string(format.suffix);
   }
-  throw wrong_usage("cannot write " + file + ": the name must end in one of" + known);
+  throw wrong_usage("cannot write " + printable(file) + ": the name must end in one of" + known);
 }
 
 /// throws the same; without a name, nothing is to be written.

@@ -104,6 +104,14 @@ Pair_diameter diameter_of(const Loop& shorter, const std::optional<Bore>& bore) 
               : Pair_diameter{shorter.length() / CGAL_PI, name_of(shorter.type()), std::nullopt};
 }
 
+// Of which handle, among some of a report.
+template <typename Handle>
+std::optional<Handle> find_pair(const std::vector<Handle>& handles, std::size_t pair) {
+  const auto found = std::find_if(handles.begin(), handles.end(),
+                                  [pair](const Handle& handle) { return handle.pair == pair; });
+  return found == handles.end() ? std::nullopt : std::optional(*found);
+}
+
 } // namespace
 
 CGAL::Bbox_3 box_of(const Mesh& mesh) {
@@ -139,6 +147,19 @@ Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bb
           number < answer.measures.size() ? std::optional(listed(answer.measures[number]))
                                           : std::nullopt,
           number < answer.costs.size() ? std::optional(answer.costs[number]) : std::nullopt};
+}
+
+Pair_listing list_removals(const Pair_listing& listing, const Removal_report& report) {
+  Pair_listing chosen;
+  for(const Listed_pair& pair : listing) {
+    const Listed_removal removal = {find_pair(report.removed, pair.pair),
+                                    find_pair(report.refused, pair.pair)};
+    if(!removal.done && !removal.refused)
+      continue;
+    chosen.push_back(pair);
+    chosen.back().removal = removal;
+  }
+  return chosen;
 }
 
 Pair_listing list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options) {

@@ -12,6 +12,7 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
+#include "solve/removal_solver.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -65,6 +66,13 @@ struct Listed_measure
   std::string why;
 };
 
+/// What became of a handle: one of these.
+struct Listed_removal
+{
+  std::optional<Removed_handle> done;
+  std::optional<Refused_handle> refused;
+};
+
 /// What is told of a pair beside the loops themselves.
 struct Listed_pair
 {
@@ -74,11 +82,15 @@ struct Listed_pair
   Point centre;     ///< of the box of the shorter loop
   CGAL::Bbox_3 box; ///< of the shorter loop
   Pair_diameter diameter;
-  std::optional<Listed_measure> measure;  ///< if it was taken
-  std::optional<Costs::value_type> costs; ///< of its removal, if they were asked for
+  std::optional<Listed_measure> measure;      ///< if it was taken
+  std::optional<Costs::value_type> costs;     ///< of its removal, if they were asked for
+  std::optional<Listed_removal> removal = {}; ///< if its handle was to be removed
 };
 
 using Pair_listing = std::vector<Listed_pair>;
+
+/// those of a listing that were to be removed, with what became of them.
+Pair_listing list_removals(const Pair_listing& listing, const Removal_report& report);
 
 /// the pairs that are wanted, in the order that is wanted; those that are equal in it by number.
 Pair_listing

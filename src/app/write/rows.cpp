@@ -9,6 +9,7 @@
 
 #include "write/rows.h"
 
+#include "file_names.h"
 #include "write/documents.h"
 #include "write/tables.h"
 #include "write/throat_tables.h"
@@ -16,15 +17,21 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace htloops {
 namespace {
 
-void write_sides(Text_writer& out, const Answer& answer, std::size_t pair) {
+void write_sides(Text& out, const Answer& answer, std::size_t pair) {
   const auto& linking = answer.certificate.linking;
   for(std::size_t loop = 2 * pair; loop < 2 * pair + 2; ++loop)
     out << ',' << (linking.empty() ? "" : word_for_side(linking[loop]));
+}
+
+// What tells a program for tables that a cell is a formula.
+bool looks_like_formula(const std::string& cell) {
+  return !cell.empty() && std::strchr("=+-@", cell.front()) != nullptr;
 }
 
 // The cells between the name of the mesh and the error are a comma each, and one more.
@@ -33,7 +40,7 @@ std::size_t columns_before_error(Row_kind kind) {
   return static_cast<std::size_t>(std::count(header.begin(), header.end(), ','));
 }
 
-void write_pair_row(Text_writer& out, const Mesh_line& line, const Listed_pair& pair) {
+void write_pair_row(Text& out, const Mesh_line& line, const Listed_pair& pair) {
   out << as_cell(line.mesh_file) << ',' << pair.pair << ',' << pair.handle_length << ','
       << pair.tunnel_length << ',' << pair.size;
   write_sides(out, line.answer, pair.pair);
@@ -51,7 +58,7 @@ void write_pair_row(Text_writer& out, const Mesh_line& line, const Listed_pair& 
   out << ',' << line.answer.statistics.genus << ',';
 }
 
-void write_ball(Text_writer& out, const std::optional<Listed_ball>& ball) {
+void write_ball(Text& out, const std::optional<Listed_ball>& ball) {
   if(!ball) {
     out << ",,,,,";
     return;
@@ -61,7 +68,7 @@ void write_ball(Text_writer& out, const std::optional<Listed_ball>& ball) {
     out << ',' << ball->throat[i];
 }
 
-void write_measure(Text_writer& out, const Listed_measure& measure) {
+void write_measure(Text& out, const Listed_measure& measure) {
   write_ball(out, measure.thickness);
   write_ball(out, measure.clear_width);
   out << ',' << as_cell(measure.why);
@@ -71,15 +78,23 @@ bool has_measures(Row_kind kind) {
   return kind == Row_kind::MEASURED_PAIRS || kind == Row_kind::PAIRS_WITH_COSTS;
 }
 
-void write_way(Text_writer& out, const std::optional<Removed_handle>& way, const std::string& why) {
+void write_way(Text& out, const std::optional<Removed_handle>& way, const std::string& why) {
   if(way)
     out << ',' << way->area << ',' << way->volume << ',';
   else
     out << ",,," << as_cell(why);
 }
 
+void write_removal(Text& out, const Listed_removal& removal) {
+  if(removal.done)
+    out << ',' << name_of(removal.done->by) << ',' << removal.done->area << ','
+        << removal.done->volume << ',';
+  else
+    out << ",,,," << (removal.refused ? as_cell(removal.refused->reason) : "");
+}
+
 // The cells after those of all pairs, empty where nothing is known.
-void write_rest(Text_writer& out, Row_kind kind, const Listed_pair* pair) {
+void write_rest(Text& out, Row_kind kind, const Listed_pair* pair) {
   if(has_measures(kind))
     write_measure(out, pair != nullptr && pair->measure ? *pair->measure : Listed_measure());
   if(kind == Row_kind::PAIRS_WITH_COSTS) {
@@ -87,6 +102,8 @@ void write_rest(Text_writer& out, Row_kind kind, const Listed_pair* pair) {
     write_way(out, costs.cut, costs.why_no_cut);
     write_way(out, costs.fill, costs.why_no_fill);
   }
+  if(kind == Row_kind::REMOVALS)
+    write_removal(out, pair != nullptr && pair->removal ? *pair->removal : Listed_removal());
   out << '\n';
 }
 
@@ -106,7 +123,7 @@ void add_measure(Json& pair, const Listed_measure& measure) {
 }
 
 Json json_of(const Mesh_line& line) {
-  Json json = {{"mesh", line.mesh_file}, {"exit", line.exit_code}};
+  Json json = {{"mesh", as_utf8(line.mesh_file)}, {"exit", line.exit_code}};
   if(line.exit_code != 0) {
     json["error"] = line.error;
     return json;
@@ -144,30 +161,34 @@ Json json_of(const Mesh_line& line) {
 int width_of(const std::vector<std::string>& mesh_files) {
   std::size_t width = 4;
   for(const std::string& file : mesh_files)
-    width = (std::max)(width, file.size());
+    width = (std::max)(width, number_of_characters(printable(file)));
   return static_cast<int>((std::min)(width, std::size_t(48)));
 }
 
-std::string padded(std::string name, int width) {
-  name.resize((std::max)(name.size(), static_cast<std::size_t>(width)), ' ');
-  return name;
+std::string padded(const std::string& name, int width) {
+  const std::size_t size = number_of_characters(name), wanted = static_cast<std::size_t>(width);
+  return name + std::string(size < wanted ? wanted - size : 0, ' ');
 }
 
 } // namespace
 
 std::string as_cell(const std::string& text) {
-  if(text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
+  std::string cell = printable(text);
+  if(looks_like_formula(cell))
+    cell.insert(cell.begin(), '\'');
+  if(cell.find_first_of(",\"") == std::string::npos)
+    return cell;
+  return '"' + boost::algorithm::replace_all_copy(cell, "\"", "\"\"") + '"';
 }
 
 std::string header_of_rows(Row_kind kind) {
   return (kind == Row_kind::THROATS ? throat_header : pair_header) +
          std::string(has_measures(kind) ? measure_header : "") +
-         (kind == Row_kind::PAIRS_WITH_COSTS ? cost_header : "") + "\n";
+         (kind == Row_kind::PAIRS_WITH_COSTS ? cost_header : "") +
+         (kind == Row_kind::REMOVALS ? removal_header : "") + "\n";
 }
 
-void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind) {
+void write_rows(Text& out, const Mesh_line& line, Row_kind kind) {
   const std::size_t commas = columns_before_error(kind);
   const bool has_throats = kind == Row_kind::THROATS && !line.answer.throats.all.empty();
   if(line.exit_code != 0) {
@@ -187,10 +208,7 @@ void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind) {
     }
 }
 
-void write_mesh_line(Text_writer& out, const Mesh_line& line) {
-  out << text_of(json_of(line)) << '\n';
-  out.show();
-}
+void write_mesh_line(Text& out, const Mesh_line& line) { out << text_of(json_of(line)) << '\n'; }
 
 std::string header_of_lines(const std::vector<std::string>& mesh_files) {
   return padded("mesh", width_of(mesh_files)) + formatted("  %9s  %6s  %6s  %6s  %9s  %9s  %8s\n",
@@ -199,7 +217,7 @@ std::string header_of_lines(const std::vector<std::string>& mesh_files) {
 }
 
 std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files) {
-  const std::string name = padded(line.mesh_file, width_of(mesh_files));
+  const std::string name = padded(printable(line.mesh_file), width_of(mesh_files));
   if(line.exit_code != 0)
     return name + formatted("  no answer (exit code %d)\n", line.exit_code);
   const auto& statistics = line.answer.statistics;

@@ -31,9 +31,10 @@ constexpr char measure_header[] =
     "throat_x,throat_y,throat_z,why";
 constexpr char cost_header[] =
     ",cut_area,cut_volume,no_cut_because,fill_area,fill_volume,no_fill_because";
+constexpr char removal_header[] = ",removed_by,area,volume,refused_because";
 
 /// What rows tell of.
-enum class Row_kind { PAIRS, MEASURED_PAIRS, PAIRS_WITH_COSTS, THROATS };
+enum class Row_kind { PAIRS, MEASURED_PAIRS, PAIRS_WITH_COSTS, REMOVALS, THROATS };
 
 /// the whole line.
 std::string header_of_rows(Row_kind kind);
@@ -50,7 +51,7 @@ struct Mesh_line
   Pair_listing listing = {};
 };
 
-/// a text as a cell of CSV.
+/// a text as a cell of CSV, on one line, and no formula: one is preceded by an apostrophe.
 std::string as_cell(const std::string& text);
 
 /// writes a row for each listed pair: the mesh, the number, the lengths, the side on which each
@@ -58,12 +59,12 @@ std::string as_cell(const std::string& text);
 /// and the genus. Numbers read back exactly. A mesh of which no pair is listed has a row without
 /// pair, and one that has no answer a row with the error. With measures there are
 /// the diameters, errors and throats of the balls, or why they are not known; with costs, after
-/// these, what either way to remove the handle would change. Or a row for each throat in place of
-/// pairs.
-void write_rows(Text_writer& out, const Mesh_line& line, Row_kind kind);
+/// these, what either way to remove the handle would change; or what was done. Or a row for each
+/// throat in place of pairs.
+void write_rows(Text& out, const Mesh_line& line, Row_kind kind);
 
-/// writes an object of JSON on a line. On the standard output it is there at once.
-void write_mesh_line(Text_writer& out, const Mesh_line& line);
+/// writes an object of JSON on a line.
+void write_mesh_line(Text& out, const Mesh_line& line);
 
 /// the names of the columns of the rows that follow, for a person.
 std::string header_of_lines(const std::vector<std::string>& mesh_files);

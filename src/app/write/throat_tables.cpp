@@ -63,7 +63,7 @@ std::string table_of_throats(const Throats& throats, bool show_all) {
   return text;
 }
 
-void write_throat_rows(Text_writer& out,
+void write_throat_rows(Text& out,
                        const std::string& mesh_file,
                        const Throats& throats,
                        std::size_t genus) {

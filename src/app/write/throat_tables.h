@@ -37,7 +37,7 @@ std::vector<std::string> cells_of(const Throats& throats, const Throat& throat);
 std::string table_of_throats(const Throats& throats, bool show_all);
 
 /// writes a row for each throat of a mesh. Where it cannot slip away, its prominence is "inf".
-void write_throat_rows(Text_writer& out,
+void write_throat_rows(Text& out,
                        const std::string& mesh_file,
                        const Throats& throats,
                        std::size_t genus);

@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/file_names.h"
 #include "app/interrupt.h"
 #include "app/read/skeleton_reader.h"
 #include "app/solve/backends.h"
@@ -92,7 +93,7 @@ void check_loops(const Check_options& options, const Mesh& mesh, const Input_fil
   require_none(options.loops_file,
                findings(record, mesh, loops, certificate, is_boundary_of_solid));
   if(!options.is_quiet)
-    show_text(options.loops_file + ": " +
+    show_text(printable(options.loops_file) + ": " +
                   praise(certificate, !CGAL::is_closed(mesh), is_boundary_of_solid) + "\n",
               false);
 }
@@ -116,8 +117,8 @@ void check_skeleton(const Check_options& options, const Mesh& mesh, const Input_
   const auto certificate = certify_skeleton(mesh, record.lines, loops.pairs, throw_if_interrupted);
   require_none(options.loops_file, lines_of(certificate.failure));
   if(!options.is_quiet)
-    show_text(options.loops_file + ": " + praise_of_skeleton(record.lines, loops.statistics.genus) +
-                  "\n",
+    show_text(printable(options.loops_file) + ": " +
+                  praise_of_skeleton(record.lines, loops.statistics.genus) + "\n",
               false);
 }
 

@@ -36,7 +36,11 @@ void add_generate_command(CLI::App& app, Command& command);
 /// writes the range of `--bores` out where none is given: what follows may be the name of a mesh.
 void write_out_bores(std::vector<std::string>& arguments);
 
-/// completions for shells, and the manual page.
+/// throws `Failure`, saying how it is written, where the words of a command line have a list that
+/// is not written as all lists are: 1,2,3.
+void check_lists(const CLI::App& tool, const std::vector<std::string>& arguments);
+
+/// completions for shells, the manual page, and help by name.
 void add_help_commands(CLI::App& app, Command& command);
 
 /// How the help looks: a list of commands shows the first paragraph of each description.
@@ -48,6 +52,7 @@ public:
 
   std::string
   make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
   std::string make_subcommand(const CLI::App* command) const override;
 };
 

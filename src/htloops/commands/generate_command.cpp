@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/failure.h"
+#include "app/file_names.h"
 #include "app/read/input_file.h"
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
@@ -70,8 +71,9 @@ void run(const generators::Kind& kind, const Generate_options& options) {
     mesh = generators::with_holes(mesh, options.holes);
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
-    show_text(options.mesh_file + ": " + std::to_string(mesh.points.size()) + " vertices, " +
-                  std::to_string(mesh.triangles.size()) + " faces, " + shape_of(mesh) + "\n",
+    show_text(printable(options.mesh_file) + ": " + std::to_string(mesh.points.size()) +
+                  " vertices, " + std::to_string(mesh.triangles.size()) + " faces, " +
+                  shape_of(mesh) + "\n",
               options.mesh_file == "-");
 }
 

@@ -7,6 +7,8 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/failure.h"
+#include "app/file_names.h"
 #include "app/words.h"
 #include "commands/command.h"
 #include "commands/options.h"
@@ -338,6 +340,22 @@ std::string wrapped(const std::string& text) {
   return lines;
 }
 
+std::string help_of(const CLI::App& tool, const std::vector<std::string>& words) {
+  const CLI::App* command = &tool;
+  std::string name = tool.get_name();
+  for(const std::string& word : words) {
+    const std::vector<const CLI::App*> all = commands_of(*command);
+    const auto sub = std::find_if(all.begin(), all.end(),
+                                  [&word](const CLI::App* one) { return one->get_name() == word; });
+    if(sub == all.end())
+      throw wrong_usage("there is no '" + name + " " + printable(word) + "'; '" + name +
+                        " --help' tells what there is");
+    command = *sub;
+    name += " " + word;
+  }
+  return command->get_formatter()->make_help(command, name, CLI::AppFormatMode::Normal);
+}
+
 constexpr char completion_examples[] = R"(Examples:
   source <(htloops completion bash)               for this shell; an installed htloops is
                                                   completed in each
@@ -360,6 +378,11 @@ Help_formatter::make_help(const CLI::App* app, std::string name, CLI::AppFormatM
   return help + '\n';
 }
 
+// What it needs, or goes with no other, is said in words.
+std::string Help_formatter::make_option_opts(const CLI::Option* option) const {
+  return option->get_items_expected_max() == 0 ? "" : CLI::Formatter::make_option_opts(option);
+}
+
 std::string Help_formatter::make_subcommand(const CLI::App* command) const {
   const std::string description = command->get_description();
   std::ostringstream out;
@@ -376,6 +399,14 @@ void complete_help(CLI::App& command, const std::string& footer) {
 
 void add_help_commands(CLI::App& app, Command& command) {
   const char group[] = "More help";
+  const auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* help = app.add_subcommand("help", "Prints this help, or that of a command.\n");
+  help->group(group);
+  help->add_option("COMMAND", *words, "loops, generate torus, ...")->option_text(" ");
+  complete_help(*help);
+  help->callback([&app, words, &command] {
+    command = [&app, words] { show_text(help_of(app, *words), false); };
+  });
   const auto shell = std::make_shared<std::string>();
   CLI::App* completion = app.add_subcommand(
       "completion", "Prints a script that makes a shell complete the words of htloops.\n");

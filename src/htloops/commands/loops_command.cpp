@@ -14,6 +14,7 @@
 #include "app/draw/pictures.h"
 #include "app/failure.h"
 #include "app/interrupt.h"
+#include "app/read/mesh_list.h"
 #include "app/words.h"
 #include "app/write/documents.h"
 #include "app/write/tables.h"
@@ -155,44 +156,30 @@ void show(const Loops_options& options, const Mesh_line& line) {
             is_output_taken(options));
 }
 
-Mesh_line solve_and_tell(const Loops_options& options) {
-  auto [mended, line] = read_and_solve(options, !options.is_quiet && is_terminal(stderr));
-  write_files(options, mended, line);
-  show(options, line);
-  return std::move(line);
-}
-
-// Whatever happens to the mesh, there is a line about it.
-void run_with_lines(const Loops_options& options) {
-  std::optional<Text_writer> object, rows;
-  if(!options.jsonl_file.empty())
-    object.emplace(options.jsonl_file);
-  if(!options.csv_file.empty())
-    rows.emplace(options.csv_file);
-  const Mesh_line line = line_of(options.mesh_file, [&] { return solve_and_tell(options); });
+// Whatever happens to the mesh, there is a line about it where lines are asked for.
+void run_on_one_mesh(const Loops_options& options) {
+  Line_files lines(options.csv_file, options.jsonl_file, options.kind_of_rows());
+  const Mesh_line line = line_of(options.mesh_file, [&] {
+    auto solved = read_and_solve(options, !options.is_quiet && is_terminal(stderr));
+    write_files(options, solved.first, solved.second);
+    return std::move(solved.second);
+  });
   throw_if_interrupted(); // then there is no answer about the mesh
-  if(object) {
-    write_mesh_line(*object, line);
-    object->finish();
-  }
-  if(rows) {
-    *rows << header_of_rows(options.kind_of_rows());
-    write_rows(*rows, line, options.kind_of_rows());
-    rows->finish();
-  }
+  lines.add(line);
   if(line.exit_code != 0)
     throw Failure(static_cast<Exit_code>(line.exit_code), line.error);
+  show(options, line);
 }
 
 void run(Loops_options& options) {
-  check_loops_options(options);
+  options.is_batch = options.do_resume || may_be_many(options.mesh_files);
+  options.mesh_files = files_of(options.mesh_files);
   options.mesh_file = options.mesh_files.front();
-  if(options.has_many_meshes())
+  check_loops_options(options);
+  if(options.is_batch)
     run_on_many_meshes(options);
-  else if(options.jsonl_file.empty() && options.csv_file.empty())
-    solve_and_tell(options);
   else
-    run_with_lines(options);
+    run_on_one_mesh(options);
 }
 
 constexpr char loops_description[] =
@@ -215,7 +202,8 @@ constexpr char loops_examples[] = R"(Examples:
   htloops loops cup.off -qo - | jq '.pairs | length'
                                                   JSON into a pipe
   htloops loops cup.off --throats --csv -        all narrow places, a row for each
-  htloops loops *.off --jsonl - --jobs 4          a line for each of many meshes
+  htloops loops scans --csv scans.csv --jobs 4    a table of all meshes in a folder, whatever happens
+  htloops loops scans --csv scans.csv --resume    the rest of them, after Ctrl-C
   cat cup.off | htloops loops - --format off      a mesh from a pipe
   htloops loops soup.obj --triangulate --repair --write-mesh sound.obj
                                                   a mesh that is not fit as it is
@@ -231,7 +219,7 @@ it, from outside. They depend on the shape alone, and each comes with a bound of
 
 constexpr char measure_examples[] = R"(Examples:
   htloops measure casting.stl                     a table, the smallest measure first
-  htloops measure *.stl --csv measures.csv        a row for each handle of many meshes
+  htloops measure 'scans/*.stl' --csv all.csv     a row for each handle of many meshes
   htloops measure scan.ply --noise-below 1%       what is thinner, or narrower, than that
   htloops measure foam.off --html foam.html       the balls at their throats, in a browser
 )";

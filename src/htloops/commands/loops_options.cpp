@@ -35,6 +35,9 @@ void add_table_options(CLI::App& command, Loops_options& options) {
              "one with the error for a mesh that has no answer");
   add_output(command, "--jsonl", "FILE.jsonl", options.jsonl_file,
              "an object of JSON for each mesh, on a line: genus, sizes, times, error");
+  command.add_flag("--resume", options.do_resume,
+                   "go on with the files of --csv and --jsonl where a call of many meshes was\n"
+                   "interrupted: what they tell of is not done again");
 }
 
 void add_output_options(CLI::App& command, Loops_options& options) {
@@ -84,7 +87,8 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   command
       .add_option("--seed", options.seed,
                   "vertex to grow from, from 0 as in the file; default: the first")
-      ->option_text("VERTEX");
+      ->option_text("VERTEX")
+      ->check(why_no_count);
   add_choice(command, "--basis", "KIND", options.basis,
              "pure (handles bound inside and tunnels outside; the default) or\n"
              "shortest (whatever side they bound on: for cutting and parametrization)",
@@ -98,8 +102,11 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
                    "pictures and the page");
   command
       .add_option("--through", options.through,
-                  "with --throats: the one to which a loop through this vertex tightens, too")
-      ->option_text("VERTEX ...");
+                  "with --throats: those to which loops through these vertices tighten, too")
+      ->option_text("VERTEX,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(why_no_count);
   command.add_flag("--no-refine", options.do_not_refine,
                    "keep the handles of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,
@@ -132,10 +139,7 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
 }
 
 void add_listing_options(CLI::App& command, Listing_choice& choice) {
-  add_choice(command, "--sort", "KEY", choice.order,
-             "size (of the shorter loop), length (of both), pair (the number), place, or\n"
-             "noise (the smaller measure); default: size, the smallest first",
-             orders);
+  add_order_option(command, choice.order);
   add_length(command, "--shorter-than", choice.shorter_than,
              "pairs with a loop that is shorter; %: of the diagonal of the box");
   add_length(command, "--longer-than", choice.longer_than, "pairs both loops of which are longer");
@@ -184,7 +188,7 @@ void check_listing_choice(const Listing_choice& choice) {
 Listing_options listing_options(const Listing_choice& choice, const Mesh& mesh) {
   Listing_options options;
   const double whole = diagonal_of(mesh);
-  options.order = orders.at(choice.order);
+  options.order = order_of(choice.order);
   if(const auto length = parse_length("--shorter-than", choice.shorter_than, whole))
     options.shorter_than = *length;
   if(const auto length = parse_length("--longer-than", choice.longer_than, whole))
@@ -249,6 +253,15 @@ void add_loops_options(CLI::App& command, Loops_options& options) {
   add_display_options(command, options);
 }
 
+void add_order_option(CLI::App& command, std::string& order) {
+  add_choice(command, "--sort", "KEY", order,
+             "size (of the shorter loop), length (of both), pair (the number), place, or\n"
+             "noise (the smaller measure); default: size, the smallest first",
+             orders);
+}
+
+Pair_order order_of(const std::string& word) { return orders.at(word); }
+
 void add_precision_option(CLI::App& command, std::string& precision) {
   command
       .add_option("--precision", precision,
@@ -308,11 +321,15 @@ void check_loops_options(const Loops_options& options) {
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
     throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
                       (has_pictures ? "--picture or --gltf" : "--gltf"));
-  check_name(options.csv_file, "a table as CSV", ".csv");
-  check_name(options.jsonl_file, "lines of JSON", ".jsonl");
+  check_name(options.csv_file, "a table as CSV", {".csv"});
+  check_name(options.jsonl_file, "lines of JSON", {".jsonl"});
+  check_name(options.events_file, "events as JSON", {".json"});
   check_listing_choice(options.listing);
-  if(options.has_many_meshes())
+  if(options.is_batch)
     refuse_files_of_one_mesh(options);
+  if(options.do_resume && ((options.csv_file.empty() && options.jsonl_file.empty()) ||
+                           options.csv_file == "-" || options.jsonl_file == "-"))
+    throw wrong_usage("--resume goes on with files: it needs --csv FILE.csv or --jsonl FILE.jsonl");
 }
 
 Json names_of(const Repair_steps& steps) {
@@ -356,8 +373,8 @@ std::pair<Mended_mesh, Mesh_line> read_and_solve(const Loops_options& options, b
   line.number_of_vertices = mesh.number_of_vertices();
   line.number_of_faces = mesh.number_of_faces();
   line.read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mesh);
   line.answer = solve(mesh, options, show_progress);
+  write_read_mesh(options, mesh);
   line.listing = list_pairs(mesh, line.answer, listing_options(options.listing, mesh));
   return {std::move(mended), std::move(line)};
 }

@@ -11,6 +11,7 @@
 #define HTLOOPS_LOOPS_OPTIONS_H
 
 #include "app/write/documents.h"
+#include "app/write/line_files.h"
 #include "app/write/pair_listing.h"
 #include "app/write/rows.h"
 #include "commands/options.h"
@@ -34,10 +35,12 @@ struct Listing_choice
   std::vector<double> box;
 };
 
-/// The options of `htloops loops`. `mesh_file` is the first of the meshes.
+/// The options of `htloops loops`. `mesh_file` is one of the meshes.
 struct Loops_options : Common_options
 {
   std::vector<std::string> mesh_files;
+  bool is_batch = false;  ///< of meshes, each of which is told of on lines
+  bool do_resume = false; ///< a batch that was interrupted
   std::string events_file;
   std::string layers_file;
   std::optional<double> moment; ///< of the first pass, to be seen in pictures
@@ -65,7 +68,6 @@ struct Loops_options : Common_options
   bool is_verbose = false;
   std::string colour = "auto";
 
-  bool has_many_meshes() const { return mesh_files.size() > 1; }
   bool has_measures() const { return is_to_measure || !listing.noise_below.empty(); }
   Row_kind kind_of_rows() const {
     return do_find_throats  ? Row_kind::THROATS
@@ -83,6 +85,10 @@ void add_measure_options(CLI::App& command, Loops_options& options);
 /// declares `--precision`, and how it is understood; throws `Failure` if it makes no sense.
 void add_precision_option(CLI::App& command, std::string& precision);
 double parse_precision(const std::string& text);
+
+/// declares `--sort`, and what its words stand for.
+void add_order_option(CLI::App& command, std::string& order);
+Pair_order order_of(const std::string& word);
 
 /// declares `--noise-below`.
 CLI::Option* add_noise_option(CLI::App& command, std::string& length, const std::string& what);
@@ -102,7 +108,7 @@ Mesh_line line_of(const std::string& mesh_file, const std::function<Mesh_line()>
 /// finds the loops of meshes, several at once if that is asked for, and tells of each on a line of
 /// its own, in the order in which they were given. Goes on after one that fails; throws `Failure`
 /// with the exit code of the first such in the end.
-void run_on_many_meshes(const Loops_options& options);
+void run_on_many_meshes(Loops_options options);
 
 } // namespace htloops
 

@@ -10,7 +10,9 @@
 #include "commands/loops_options.h"
 
 #include "app/failure.h"
+#include "app/file_names.h"
 #include "app/interrupt.h"
+#include "app/read/meshes/mesh_formats.h"
 #include "app/solve/progress.h"
 #include "commands/command.h"
 
@@ -18,8 +20,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -29,20 +35,37 @@ namespace {
 
 Mesh_line solve_one(Loops_options options, const std::string& file) {
   options.mesh_file = file;
-  return line_of(file, [&] { return read_and_solve(options, false).second; });
+  return line_of(file, [&] {
+    std::error_code error;
+    if(std::filesystem::is_directory(file, error))
+      throw Failure(Exit_code::UNREADABLE_FILE,
+                    "no file in the folder " + printable(file) +
+                        " has the name of a mesh: " + words_of_mesh_endings());
+    return read_and_solve(options, false).second;
+  });
 }
 
-// Where lines go, in the order of the meshes, as soon as those before are there.
+// Those of which nothing has been told, or not all.
+std::vector<std::string> untold(const std::vector<std::string>& files, const Line_files& lines) {
+  std::vector<std::string> rest;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(rest),
+               [&lines](const std::string& file) { return !lines.has(file); });
+  return rest;
+}
+
+// Whether there are files that another call can go on with.
+bool has_lasting_lines(const Loops_options& options) {
+  const auto lasts = [](const std::string& file) { return !file.empty() && file != "-"; };
+  return lasts(options.csv_file) || lasts(options.jsonl_file);
+}
+
+// Tells of meshes, in their order, as soon as those before are there.
 class Line_printer
 {
 public:
-  explicit Line_printer(const Loops_options& options)
-      : options_(options) {
-    if(!options.jsonl_file.empty())
-      objects_.emplace(options.jsonl_file);
-    if(!options.csv_file.empty())
-      rows_.emplace(options.csv_file) << header_of_rows(options.kind_of_rows());
-  }
+  Line_printer(const Loops_options& options, Line_files& lines)
+      : options_(options)
+      , lines_(lines) {}
 
   void add(std::size_t position, Mesh_line line) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -53,11 +76,7 @@ public:
     }
   }
 
-  void finish() {
-    if(objects_)
-      objects_->finish();
-    if(rows_)
-      rows_->finish();
+  void finish() const {
     if(number_of_failures_ > 0)
       throw Failure(static_cast<Exit_code>(exit_code_),
                     std::to_string(number_of_failures_) + " of " + std::to_string(waiting_.size()) +
@@ -70,26 +89,23 @@ private:
   void print(const Mesh_line& line) {
     if(line.exit_code != 0 && number_of_failures_++ == 0)
       exit_code_ = line.exit_code;
-    if(objects_)
-      write_mesh_line(*objects_, line);
-    if(rows_)
-      write_rows(*rows_, line, options_.kind_of_rows());
+    lines_.add(line);
     if(!options_.is_quiet && !is_output_taken())
       show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +
                     row_of(line, options_.mesh_files),
                 false);
     if(line.exit_code != 0)
-      std::fputs(("htloops: " + line.error + "\n").c_str(), stderr);
+      std::fputs(("htloops: " + printable_lines(line.error) + "\n").c_str(), stderr);
   }
 
   const Loops_options& options_;
+  Line_files& lines_;
   std::mutex mutex_;
   std::vector<std::optional<Mesh_line>> waiting_ =
       std::vector<std::optional<Mesh_line>>(options_.mesh_files.size());
   std::size_t next_ = 0; // to be printed
   std::size_t number_of_failures_ = 0;
   int exit_code_ = 0; // of the first that failed
-  std::optional<Text_writer> objects_, rows_;
 };
 
 // A mesh at a time in each of some threads, which share what threads there are besides.
@@ -130,9 +146,24 @@ void solve_all(Loops_options options, Line_printer& printer) {
 
 } // namespace
 
-void run_on_many_meshes(const Loops_options& options) {
-  Line_printer printer(options);
-  solve_all(options, printer);
+void run_on_many_meshes(Loops_options options) {
+  Line_files lines(options.csv_file, options.jsonl_file, options.kind_of_rows());
+  const std::size_t number_of_all = options.mesh_files.size();
+  if(options.do_resume) {
+    lines.resume();
+    options.mesh_files = untold(options.mesh_files, lines);
+    if(!options.is_quiet)
+      std::fprintf(stderr, "htloops: %zu of %zu meshes are told of already\n",
+                   number_of_all - options.mesh_files.size(), number_of_all);
+  }
+  Line_printer printer(options, lines);
+  try {
+    solve_all(options, printer);
+  } catch(const Interrupted&) {
+    if(!options.is_quiet && has_lasting_lines(options))
+      std::fputs("htloops: --resume goes on after the meshes that are told of\n", stderr);
+    throw;
+  }
   printer.finish();
 }
 

@@ -10,6 +10,8 @@
 #include "commands/options.h"
 
 #include "app/failure.h"
+#include "app/file_names.h"
+#include "app/read/mesh_list.h"
 #include "app/read/meshes/mesh_formats.h"
 #include "app/read/sources.h"
 #include "app/write/files.h"
@@ -47,8 +49,9 @@ using Named_files = std::vector<Named_file>;
 void collect(const CLI::App& command, const char* type, Named_files& files) {
   for(const CLI::Option* option : command.get_options())
     if(option->get_type_name() == type)
-      for(const std::string& name : option->results())
-        files.push_back({option->get_name(), name});
+      for(const std::string& word : option->results())
+        for(const std::string& name : type == input_file ? files_of(word) : std::vector{word})
+          files.push_back({option->get_name(), name});
   for(const CLI::App* subcommand : command.get_subcommands())
     collect(*subcommand, type, files);
 }
@@ -69,8 +72,8 @@ bool is_same_file(const std::string& name, const std::string& other) {
 
 void check_differ(const Named_file& file, const std::string& path, const Named_file& output) {
   if(is_same_file(path, path_of_output(output.name)))
-    throw wrong_usage(file.option + " " + file.name + " and " + output.option + " " + output.name +
-                      " name the same file, which would be overwritten");
+    throw wrong_usage(file.option + " " + printable(file.name) + " and " + output.option + " " +
+                      printable(output.name) + " name the same file, which would be overwritten");
 }
 
 // As of a variable of the shell that is not set.
@@ -82,12 +85,12 @@ void check_has_name(const Named_file& file) {
 // As what follows -o in "-o -q".
 void check_is_no_option(const Named_file& output) {
   if(output.name.size() > 1 && output.name.front() == '-')
-    throw wrong_usage(output.option + " " + output.name +
+    throw wrong_usage(output.option + " " + printable(output.name) +
                       " looks like two options; a file of that name is ./" + output.name);
 }
 
 void check_picture(const Picture_options& picture) {
-  check_name(picture.file, "a picture in PNG", ".png");
+  check_name(picture.file, "a picture in PNG", {".png"});
   if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
     throw wrong_usage("--labels and --legend want a build with stb and the DejaVu fonts");
 }
@@ -95,11 +98,12 @@ void check_picture(const Picture_options& picture) {
 void add_word_options(CLI::App& command, Picture_options& picture) {
   command
       .add_flag("--labels", picture.has_labels,
-                "numbers beside the lines of the picture, where there is room; of handles\n"
+                "with --picture: numbers beside the lines, where there is room; of handles\n"
                 "diameters, too")
       ->needs("--picture");
   command
-      .add_flag("--legend", picture.has_legend, "what the colours of these lines mean, in a corner")
+      .add_flag("--legend", picture.has_legend,
+                "with --picture: what the colours of the lines mean, in a corner")
       ->needs("--picture");
 }
 
@@ -330,8 +334,8 @@ void check_common_options(const Common_options& options, void (*check_lines)(con
       throw wrong_usage(std::string(name) + " says how to look at something: it needs " +
                         (has_pictures ? "--picture or --html" : "--html"));
   }
-  check_name(options.json_file, "JSON", ".json");
-  check_name(options.page_file, "a page in HTML", ".html");
+  check_name(options.json_file, "JSON", {".json"});
+  check_name(options.page_file, "a page in HTML", {".html", ".htm"});
   check_picture(options.picture);
   check_picture_size(options.picture);
   for(const std::string& file : options.lines_files)
@@ -345,11 +349,15 @@ Picture_options around_bones(Picture_options picture) {
   return picture;
 }
 
-void check_name(const std::string& file, const char* what, const char* end) {
+void check_name(const std::string& file, const char* what, const std::vector<std::string>& ends) {
   const std::string extension = std::filesystem::path(file).extension().string();
-  if(!extension.empty() && !boost::algorithm::iequals(extension, end))
-    throw wrong_usage("cannot write " + file + ": what is written there is " + what +
-                      ", and the name must end in " + end + ", or have no such end");
+  const auto is_extension = [&extension](const std::string& end) {
+    return boost::algorithm::iequals(extension, end);
+  };
+  if(!extension.empty() && std::none_of(ends.begin(), ends.end(), is_extension))
+    throw wrong_usage("cannot write " + printable(file) + ": what is written there is " + what +
+                      ", and the name must end in " + boost::algorithm::join(ends, " or ") +
+                      ", or have no such end");
 }
 
 std::string why_no_count(const std::string& text) {
@@ -438,7 +446,7 @@ std::string indented(const std::vector<std::string>& lines) {
 void require_none(const std::string& loops_file, const std::vector<std::string>& problems) {
   if(!problems.empty())
     throw Failure(Exit_code::NOT_CERTIFIED,
-                  loops_file + " fails its certificate:" + indented(problems));
+                  printable(loops_file) + " fails its certificate:" + indented(problems));
 }
 
 Bound_loops read_loops_on(const Mesh& mesh, const std::string& loops_file) {

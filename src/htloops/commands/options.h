@@ -167,7 +167,7 @@ constexpr char words_of_opacity_around_bones[] = "0.15";
 
 /// throws `Failure` if the name of an output says that it is something else than it is: that is a
 /// mistake.
-void check_name(const std::string& file, const char* what, const char* end);
+void check_name(const std::string& file, const char* what, const std::vector<std::string>& ends);
 
 /// for `CLI::Option::check()`: empty for a number without a sign, else what is wrong. Without it -5
 /// would be a very large one.

@@ -73,7 +73,7 @@ void check_options(const Reeb_command_options& options) {
   choose_backend(options.backend);
   if(options.has_tubes && !is_drawn_inside(options))
     throw wrong_usage("--tubes needs the radii of lines that are drawn inside");
-  check_name(options.csv_file, "a table as CSV", ".csv");
+  check_name(options.csv_file, "a table as CSV", {".csv"});
 }
 
 std::vector<Mesh::Vertex_index> sources_of(const Reeb_command_options& options, const Mesh& mesh) {
@@ -190,8 +190,8 @@ void run(const Reeb_command_options& options) {
   const Mended_mesh mended = read_mended_mesh(options, input_of(options));
   const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mesh);
   const Reeb_answer answer = solve(mended, options);
+  write_read_mesh(options, mesh);
   const std::string text = words_of_graph(answer, read_seconds);
   std::vector<Listed_arc> arcs; // measuring them takes a look at every face
   if(!options.is_quiet || !options.csv_file.empty() || !options.page_file.empty())
@@ -222,12 +222,13 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
 
 void add_computation_options(CLI::App& command, Reeb_command_options& options) {
   command.option_defaults()->group("How to compute");
-  CLI::Option* seed =
-      command
-          .add_option("--seed", options.seeds,
-                      "vertex to diffuse from; repeatable; default: handle loops, or an end")
-          ->option_text("VERTEX")
-          ->allow_extra_args(false);
+  CLI::Option* seed = command
+                          .add_option("--seed", options.seeds,
+                                      "vertices to diffuse from; default: handle loops, or an end")
+                          ->option_text("VERTEX,...")
+                          ->delimiter(',')
+                          ->check(why_no_count)
+                          ->allow_extra_args(false);
   CLI::Option* height = add_numbers(command, "--height", "X,Y,Z", options.height, 3,
                                     "take the height in a direction, not a diffusion")
                             ->excludes(seed);

@@ -7,8 +7,10 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/draw/gltf.h"
 #include "app/draw/pages.h"
 #include "app/failure.h"
+#include "app/file_names.h"
 #include "app/read/vertex_data.h"
 #include "app/solve/backends.h"
 #include "app/solve/certification.h"
@@ -16,23 +18,20 @@
 #include "app/solve/removal_solver.h"
 #include "app/words.h"
 #include "app/write/documents.h"
+#include "app/write/line_files.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/pair_listing.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/loops_options.h"
-#include "commands/options.h"
+#include "commands/remove_options.h"
 #include "terminal/terminal.h"
 
 #include <CGAL/number_utils.h>
 
 #include <boost/algorithm/string/join.hpp>
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -40,123 +39,14 @@
 namespace htloops {
 namespace {
 
-struct Remove_options : Common_options // the JSON is the report
-{
-  std::string result_file;
-  std::string loops_file;
-  std::optional<std::size_t> genus;
-  std::string shorter_than;
-  std::vector<std::string> pairs; // numbers, some with a way: "5", "1:fill"
-  std::vector<double> box;
-  std::string necks;
-  std::string noise_below;
-  std::string precision = "1%";
-  std::string bores; // "MIN:MAX", either of them may be missing
-  std::string method = "smallest-change";
-  std::string map_file;
-  bool is_forced = false;
-  bool is_dry_run = false;
-  bool is_sure = false; // also of lengths above the diagonal
-  bool show_all = false;
-};
-
-const std::map<std::string, Removal_method> methods = {
-    {"cut", Removal_method::CUT},
-    {"fill", Removal_method::FILL},
-    {"smallest-change", Removal_method::SMALLEST_CHANGE},
-    {"cheapest", Removal_method::SMALLEST_CHANGE}};
-
-// "1:fill" to a number, and a way if there is one.
-std::pair<std::size_t, std::optional<Removal_method>> parse_pair(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const std::string digits = text.substr(0, colon);
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const auto way =
-      colon == std::string::npos ? methods.end() : methods.find(text.substr(colon + 1));
-  if(error != std::errc() || end != digits.data() + digits.size() ||
-     (colon != std::string::npos && way == methods.end()))
-    throw wrong_usage("--pairs: '" + text +
-                      "' is neither the number of a pair nor one with a way, as 1:fill or 2:cut");
-  if(way == methods.end())
-    return {number, std::nullopt};
-  return {number, way->second};
-}
-
-std::optional<double> parse_diameter(const std::string& text) {
-  if(text.empty())
-    return std::nullopt;
-  double diameter = 0.;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), diameter);
-  if(error != std::errc() || end != text.data() + text.size() || !(diameter >= 0.) ||
-     !std::isfinite(diameter))
-    throw wrong_usage("--bores: '" + text + "' is not a diameter, such as 0.25");
-  return diameter;
-}
-
-// Of bores: "3:8" to the limits, or to those that leave all.
-std::pair<double, double> parse_range(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  if(colon == std::string::npos)
-    throw wrong_usage("--bores: '" + text + "' is not a range of diameters, such as 3:8, 3: or :8");
-  const double least = parse_diameter(text.substr(0, colon)).value_or(0.),
-               most = parse_diameter(text.substr(colon + 1))
-                          .value_or(std::numeric_limits<double>::infinity());
-  if(!(least <= most))
-    throw wrong_usage("--bores: the least diameter comes first, then the largest");
-  return {least, most};
-}
-
-void check_options(const Remove_options& options) {
-  if(options.result_file.empty() && !options.is_dry_run)
-    throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
-  check_mesh_format(options.result_file);
-  parse_length("--shorter-than", options.shorter_than);
-  parse_length("--necks", options.necks);
-  parse_length("--noise-below", options.noise_below);
-  parse_precision(options.precision);
-  box_of(options.box);
-  for(const std::string& pair : options.pairs)
-    parse_pair(pair);
-  if(!options.bores.empty()) {
-    parse_range(options.bores);
-    if(methods.at(options.method) == Removal_method::CUT)
-      throw wrong_usage("--bores are filled: not with --by cut");
-  }
-  if(!options.map_file.empty() && options.is_dry_run)
-    throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
-                      "--dry-run");
-  check_common_options(options);
-}
-
-// A length that no small handle has: perhaps a percentage without its sign.
-void check_length(const std::string& option, const std::string& text, double diagonal) {
-  const auto length = parse_length(option, text, diagonal);
-  if(!length || *length <= diagonal)
-    return;
-  const bool has_sign = text.back() == '%';
-  throw wrong_usage(option + " " + text + " is more than the diagonal of the mesh's box, " +
-                    formatted("%.6g", diagonal) +
-                    (has_sign ? ": too long for a small handle" : "; was " + text + "% meant?") +
-                    " --yes does it nevertheless");
-}
-
-void check_lengths(const Remove_options& options, double diagonal) {
-  if(options.is_sure)
-    return;
-  check_length("--shorter-than", options.shorter_than, diagonal);
-  check_length("--necks", options.necks, diagonal);
-  check_length("--noise-below", options.noise_below, diagonal);
-}
-
 // What of the mesh's data will be in the result; says what will not.
 Vertex_properties properties_to_keep(const Input_file& file, const Remove_options& options) {
-  if(options.is_dry_run)
+  if(options.is_dry_run || options.result_file.empty())
     return {};
   Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
   const std::string list = boost::algorithm::join(unread_data(file, kept), "; ");
   if(!list.empty() && !options.is_quiet)
-    std::fprintf(stderr, "htloops: of %s is not kept: %s\n", options.mesh_file.c_str(),
+    std::fprintf(stderr, "htloops: of %s is not kept: %s\n", printable(options.mesh_file).c_str(),
                  list.c_str());
   return kept;
 }
@@ -176,29 +66,32 @@ std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
   return {std::move(mended.mesh), std::move(properties)};
 }
 
-Pairs read_basis(const Mesh& mesh, const std::string& file) {
-  Bound_loops loops = read_loops_on(mesh, file);
-  const auto certificate = certify(mesh, loops.pairs, Basis_kind::PURE, false);
-  if(!certificate.closed_on_surface || !certificate.basis)
-    require_none(file, lines_of(certificate.failure));
-  return std::move(loops.pairs);
+Answer read_basis(const Mesh& mesh, const std::string& file) {
+  Answer answer;
+  answer.pairs = std::move(read_loops_on(mesh, file).pairs);
+  answer.statistics.genus = answer.pairs.size();
+  answer.certificate = certify(mesh, answer.pairs, Basis_kind::PURE, false);
+  if(!answer.certificate.closed_on_surface || !answer.certificate.basis)
+    require_none(file, lines_of(answer.certificate.failure));
+  return answer;
 }
 
-Pairs pairs_of(const Mesh& mesh, const Remove_options& options, bool show_progress) {
-  if(!options.loops_file.empty())
-    return read_basis(mesh, options.loops_file);
+// The loops, and what is told of them. Measures are for `--noise-below`.
+Answer answer_of(const Mesh& mesh, const Remove_options& options, bool show_progress) {
+  Progress_bar bar(show_progress);
   Solve_options solve_options;
   solve_options.number_of_threads = options.number_of_threads;
-  Progress_bar bar(show_progress);
-  return host_backend.solve(mesh, solve_options, bar).pairs;
+  Answer answer = options.loops_file.empty() ? host_backend.solve(mesh, solve_options, bar)
+                                             : read_basis(mesh, options.loops_file);
+  const Thread_limit limit(options.number_of_threads);
+  add_details(mesh, false, answer);
+  if(!options.noise_below.empty())
+    answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
+  return answer;
 }
 
 // Those with a measure below a length, by number.
-std::vector<std::size_t>
-pairs_of_noise(const Mesh& mesh, const Pairs& pairs, const Remove_options& options, double below) {
-  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
-  const Thread_limit limit(options.number_of_threads);
-  const Measures measures = find_measures(mesh, pairs, parse_precision(options.precision), bar);
+std::vector<std::size_t> pairs_of_noise(const Measures& measures, double below) {
   std::vector<std::size_t> numbers;
   for(std::size_t i = 0; i < measures.size(); ++i)
     if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
@@ -209,53 +102,82 @@ pairs_of_noise(const Mesh& mesh, const Pairs& pairs, const Remove_options& optio
   return numbers;
 }
 
-Removal_options wish(const Mesh& mesh, const Pairs& pairs, const Remove_options& options) {
-  Removal_options removal;
-  removal.target_genus = options.genus.value_or(0);
-  const double whole = diagonal_of(mesh);
-  removal.maximal_length = parse_length("--shorter-than", options.shorter_than, whole);
-  if(!options.pairs.empty())
-    removal.pairs.emplace();
-  for(const std::string& text : options.pairs) {
-    const auto [number, method] = parse_pair(text);
-    removal.pairs->push_back(number);
-    if(method)
-      removal.methods[number] = *method;
-  }
-  removal.box = box_of(options.box);
-  if(const auto length = parse_length("--necks", options.necks, whole))
-    removal.maximal_length = removal.maximal_neck_length = *length;
-  if(const auto length = parse_length("--noise-below", options.noise_below, whole))
-    removal.pairs = pairs_of_noise(mesh, pairs, options, *length);
-  if(!options.bores.empty()) {
-    const auto [least, most] = parse_range(options.bores);
-    removal.minimal_bore_diameter = least;
-    removal.maximal_bore_diameter = most;
-  }
-  removal.method = methods.at(options.method);
-  removal.force = options.is_forced;
-  removal.number_of_threads = options.number_of_threads;
+Removal_options wish(const Mesh& mesh, const Answer& answer, const Remove_options& options) {
+  const double diagonal = diagonal_of(mesh);
+  Removal_options removal = removal_options(options, diagonal);
+  if(const auto length = parse_length("--noise-below", options.noise_below, diagonal))
+    removal.pairs = pairs_of_noise(answer.measures, *length);
   return removal;
 }
 
+// What becomes of handles, in the order that is asked for.
+struct Told_removal
+{
+  Pair_listing listing; // of those that were to be removed
+  Removal_report report;
+};
+
+Told_removal told(const Mesh& mesh,
+                  const Answer& answer,
+                  const Removal_report& report,
+                  const Remove_options& options) {
+  Listing_options listing_options;
+  listing_options.order = order_of(options.order);
+  Told_removal told = {list_removals(list_pairs(mesh, answer, listing_options), report), report};
+  told.report.removed.clear();
+  told.report.refused.clear();
+  for(const Listed_pair& pair : told.listing)
+    if(pair.removal->done)
+      told.report.removed.push_back(*pair.removal->done);
+    else
+      told.report.refused.push_back(*pair.removal->refused);
+  return told;
+}
+
 // Handles that were asked for are to be seen.
-View view_of(const Remove_options& options, const Pairs& chosen, const Pairs& all) {
+View view_of(const Remove_options& options, const Pairs& all, const Pair_listing& chosen) {
   View view = options.view;
   if(chosen.size() < all.size())
-    for(const Pair& pair : chosen)
-      choose(view, pair);
+    for(const Listed_pair& listed : chosen)
+      choose(view, all[listed.pair]);
   return view;
 }
 
-void write_files(const Remove_options& options, const Removal_shown& shown) {
-  if(!options.json_file.empty())
-    write_removal_json(options.json_file, shown.report);
-  const Pairs chosen = pairs_to_remove(shown.pairs, shown.report);
-  const View view = view_of(options, chosen, shown.pairs);
+void draw(const Remove_options& options,
+          const View& view,
+          const Mesh& mesh,
+          const Exported_lines& lines) {
+  if(options.picture.file.empty() && options.gltf_file.empty())
+    return;
+  const Drawn_surface surface = drawn_surface(mesh);
   if(!options.picture.file.empty())
-    export_picture(options.picture, view, drawn_surface(shown.before), lines_of(chosen));
+    export_picture(options.picture, view, surface, lines);
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, surface, lines);
+}
+
+Mesh_line line_of(const std::string& mesh_file, const Answer& answer, const Pair_listing& listing) {
+  Mesh_line line = {mesh_file};
+  line.answer = answer;
+  line.listing = listing;
+  return line;
+}
+
+void write_files(const Remove_options& options,
+                 const Mesh& mesh,
+                 const Answer& answer,
+                 const Removal_answer& removal,
+                 const Told_removal& told) {
+  if(!options.json_file.empty())
+    write_removal_json(options.json_file, removal.report);
+  if(!options.csv_file.empty())
+    Line_files(options.csv_file, "", Row_kind::REMOVALS)
+        .add(line_of(options.mesh_file, answer, told.listing));
+  const View view = view_of(options, answer.pairs, told.listing);
+  draw(options, view, mesh, lines_of(answer, told.listing));
   if(!options.page_file.empty())
-    write_removal_page(options.page_file, view, shown);
+    write_removal_page(options.page_file, view,
+                       {options.mesh_file, mesh, answer.pairs, told.report, removal.mesh});
 }
 
 // What was asked for, in other words: lengths are often taken for diameters, and the unit for
@@ -279,117 +201,61 @@ std::string words_of_length(const Remove_options& options,
          " shorter\n";
 }
 
-void show(const Remove_options& options,
-          const std::string& words,
-          const Removal_answer& answer,
-          double loops_seconds,
-          double read_seconds) {
-  if(options.is_quiet)
-    return;
-  const std::string text =
-      words + table_of_removals(answer.report, options.show_all) + summary(answer.report) +
-      formatted("%.2f s after %.2f s for the loops and %.2f s of reading, ", answer.total_seconds,
-                loops_seconds, read_seconds) +
-      counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n" +
-      (options.is_dry_run ? "this was a dry run: no mesh is written\n" : "");
-  const bool is_mesh_shown =
-      (options.result_file == "-" && !options.is_dry_run) || options.is_mesh_on_standard_output();
-  show_text(text, is_mesh_shown || options.json_file == "-" || options.page_file == "-");
+bool is_output_taken(const Remove_options& options) {
+  return (options.result_file == "-" && !options.is_dry_run) ||
+         options.is_mesh_on_standard_output() || options.json_file == "-" ||
+         options.page_file == "-" || options.csv_file == "-";
+}
+
+std::string
+words_of_time(const Removal_answer& removal, double loops_seconds, double read_seconds) {
+  return formatted("%.2f s after %.2f s for the loops and %.2f s of reading, ",
+                   removal.total_seconds, loops_seconds, read_seconds) +
+         counted(static_cast<std::size_t>(removal.number_of_threads), "thread", "threads") + "\n";
+}
+
+std::string table_and_summary(const Remove_options& options, const Removal_report& report) {
+  return table_of_removals(report, options.show_all) + summary(report);
+}
+
+// Who has not said what is to go sees what there is, and nothing is written.
+[[noreturn]] void ask_for_choice(const Remove_options& options, const Removal_report& report) {
+  if(!options.is_quiet)
+    show_text(table_and_summary(options, report), false);
+  throw wrong_usage("this is what --all would do, and nothing is written: say --all, or which of "
+                    "them, as --shorter-than 3% does or --pairs 0,2");
 }
 
 void run(const Remove_options& options) {
-  check_options(options);
+  check_remove_options(options);
   const Stopwatch stopwatch;
   auto [mesh, properties] = read(options);
   const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mesh);
   check_lengths(options, diagonal_of(mesh));
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;
-  const Pairs pairs = pairs_of(mesh, options, show_progress);
+  const Answer answer = answer_of(mesh, options, show_progress);
   const double loops_seconds = loops_stopwatch.seconds();
   Progress_bar bar(show_progress);
-  const Removal_answer answer = remove_handles(mesh, pairs, wish(mesh, pairs, options), bar);
+  const Removal_answer removal =
+      remove_handles(mesh, answer.pairs, wish(mesh, answer, options), bar);
+  const Told_removal told = htloops::told(mesh, answer, removal.report, options);
+  if(!has_choice(options) && !options.is_dry_run)
+    ask_for_choice(options, told.report);
+  write_read_mesh(options, mesh);
   if(!options.is_dry_run) {
-    spread_properties(answer, properties);
-    write_mesh(options.result_file, answer.mesh, properties);
+    spread_properties(removal, properties);
+    write_mesh(options.result_file, removal.mesh, properties);
     if(!options.map_file.empty())
-      write_map_json(options.map_file, mesh, answer);
+      write_map_json(options.map_file, mesh, removal);
   }
-  write_files(options, {options.mesh_file, mesh, pairs, answer.report, answer.mesh});
-  show(options, words_of_length(options, mesh, pairs.size(), answer.report), answer, loops_seconds,
-       read_seconds);
-}
-
-CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
-  return command
-      .add_option("--bores", range,
-                  "round bores, of a diameter in a range, in the unit of the\n"
-                  "coordinates: 3:8, 3: or :8; without one, all round bores")
-      ->option_text("[MIN:MAX]");
-}
-
-void add_selection_options(CLI::App& command, Remove_options& options) {
-  command.option_defaults()->group("What to remove (default: all handles)");
-  CLI::Option* selections[] = {
-      command.add_option("--genus", options.genus, "the smallest, until genus G is left")
-          ->option_text("G"),
-      add_length(command, "--shorter-than", options.shorter_than,
-                 "handles with a loop that is shorter: a length around, in the\n"
-                 "unit of the mesh; %: of the diagonal of the box"),
-      command
-          .add_option("--pairs", options.pairs,
-                      "those of some pairs, as 'htloops loops' counts;\n"
-                      "each may have a way of its own: 1:fill,2:cut,5")
-          ->option_text("I[:WAY],...")
-          ->delimiter(',')
-          ->allow_extra_args(false),
-      add_box_option(command, options.box, "handles"),
-      add_length(command, "--necks", options.necks,
-                 "handles with a loop that is shorter, and necks:\n"
-                 "shorter loops at which shells come apart"),
-      add_noise_option(command, options.noise_below, "handles"),
-      add_bores_option(command, options.bores),
-  };
-  for(CLI::Option* const option : selections) {
-    for(CLI::Option* const other : selections)
-      if(other != option)
-        option->excludes(other);
-  }
-}
-
-void add_computation_options(CLI::App& command, Remove_options& options) {
-  command.option_defaults()->group("How to remove");
-  add_choice(command, "--by", "WAY", options.method,
-             "cut, fill, or smallest-change, the default: what\n"
-             "changes the shape less, or as it can be done",
-             methods);
-  command.add_flag("--force", options.is_forced,
-                   "also where that is no repair: where the bounding box\n"
-                   "would grow, a cap be far larger than its hole, ...");
-  add_precision_option(command, options.precision);
-  command.add_flag("--yes", options.is_sure,
-                   "also where --shorter-than, --necks or --noise-below is more than the\n"
-                   "diagonal of the box: then it may be a percentage without %");
-  command
-      .add_option("--loops", options.loops_file,
-                  "take the pairs from what 'htloops loops MESH -o' wrote")
-      ->option_text("LOOPS.json")
-      ->type_name(input_file);
-  add_threads_option(command, options);
-}
-
-void add_output_options(CLI::App& command, Remove_options& options) {
-  command.option_defaults()->group("What to write");
-  add_output(command, "-o,--output", "OUT", options.result_file,
-             "the mesh: " + words_of_written_meshes() + "; - is standard output, OFF");
-  command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
-  add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
-  add_output(command, "--map", "FILE.json", options.map_file,
-             "what each vertex and face was before, as JSON");
-  add_picture_options(command, options, "the loops of what is removed");
-  add_page_option(command, options, "the mesh before and after");
-  add_view_options(command, options);
+  write_files(options, mesh, answer, removal, told);
+  if(!options.is_quiet)
+    show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
+                  table_and_summary(options, told.report) +
+                  words_of_time(removal, loops_seconds, read_seconds) +
+                  (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
+              is_output_taken(options));
 }
 
 constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
@@ -398,11 +264,12 @@ A handle is cut, along its handle loop, or its hole is filled, along its tunnel 
 are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,
 numbers and colours of its vertices, too, where the file that is written has room for them.
 A handle that neither can be done to, or where that would be no repair, is refused, by name and
-with the number that says so; that is no failure.
+with the number that says so; that is no failure. Who does not say which handles sees them all.
 )";
 
 constexpr char remove_examples[] = R"(Examples:
-  htloops remove scan.ply -o clean.ply            all handles
+  htloops remove scan.ply                         what there is to remove
+  htloops remove scan.ply -o clean.ply --all      all handles
   htloops remove scan.ply -o clean.ply --shorter-than 3%
                                                   the small ones
   htloops remove part.stl -o part.off --pairs 0:fill,3:fill
@@ -415,25 +282,10 @@ constexpr char remove_examples[] = R"(Examples:
 
 } // namespace
 
-void write_out_bores(std::vector<std::string>& arguments) {
-  for(std::size_t i = 0; i < arguments.size(); ++i)
-    if(arguments[i] == "--bores" &&
-       (i + 1 == arguments.size() || arguments[i + 1].empty() ||
-        arguments[i + 1].find_first_not_of("0123456789.:eE+") != std::string::npos))
-      arguments[i] = "--bores=:";
-}
-
 void add_remove_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Remove_options>();
   CLI::App* remove = app.add_subcommand("remove", remove_description)->group("Commands");
-  add_mesh_argument(*remove, *options, mesh_kinds());
-  add_output_options(*remove, *options);
-  add_remedy_options(*remove, *options);
-  add_selection_options(*remove, *options);
-  add_computation_options(*remove, *options);
-  remove->option_defaults()->group("What to show");
-  remove->add_flag("--all", options->show_all, "all rows of a long table");
-  remove->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
+  add_remove_options(*remove, *options);
   complete_help(*remove, remove_examples);
   remove->callback([options, &command] { command = [options] { run(*options); }; });
 }

@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/failure.h"
+#include "app/file_names.h"
 #include "app/interrupt.h"
 #include "app/read/soup_diagnosis.h"
 #include "app/write/mesh_writer.h"
@@ -45,7 +46,7 @@ bool are_triangles(const Soup& soup) {
 void require_fit(const std::string& file, const std::vector<Defect>& defects) {
   if(defects.empty())
     return;
-  std::string text = file + " is no oriented manifold of triangles after that:";
+  std::string text = printable(file) + " is no oriented manifold of triangles after that:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);

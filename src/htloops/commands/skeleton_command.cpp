@@ -11,6 +11,7 @@
 #include "app/draw/pages.h"
 #include "app/draw/skeletons.h"
 #include "app/failure.h"
+#include "app/file_names.h"
 #include "app/solve/skeleton_solver.h"
 #include "app/words.h"
 #include "app/write/documents.h"
@@ -46,7 +47,7 @@ void check_options(const Skeleton_command_options& options) {
     check_skeleton_graph_format(file);
   check_suffix(options.parts_file, ".ply");
   check_common_options(options, check_skeleton_lines_format);
-  check_name(options.csv_file, "a table as CSV", ".csv");
+  check_name(options.csv_file, "a table as CSV", {".csv"});
 }
 
 Skeleton_answer solve(const Mesh& mesh, const Skeleton_command_options& options) {
@@ -107,8 +108,8 @@ void run(const Skeleton_command_options& options) {
   const Stopwatch stopwatch;
   const Mended_mesh mended = read_mended_mesh(options, input_of(options));
   const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mended.mesh);
   const Skeleton_answer answer = solve(mended.mesh, options);
+  write_read_mesh(options, mended.mesh);
   write_files(options, mended.mesh, answer, read_seconds);
   if(!options.is_quiet)
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds),
@@ -116,7 +117,7 @@ void run(const Skeleton_command_options& options) {
   if(!answer.certificate() && !answer.does_mesh_touch_itself)
     throw Failure(
         Exit_code::NOT_CERTIFIED,
-        "the skeleton of " + options.mesh_file + " fails its certificate" +
+        "the skeleton of " + printable(options.mesh_file) + " fails its certificate" +
             (options.is_quiet ? ":" + indented(lines_of(answer.certificate().failure)) : ""));
 }
 

@@ -8,14 +8,18 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/failure.h"
+#include "app/file_names.h"
 #include "app/interrupt.h"
+#include "app/read/meshes/mesh_formats.h"
 #include "app/version.h"
 #include "commands/command.h"
 #include "commands/options.h"
+#include "terminal/terminal.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstddef>
 #include <exception>
 #include <iostream>
@@ -88,17 +92,23 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   const std::string help = "\n'" + name_of(command) + " --help' tells what there is\n";
   const std::vector<std::string> unknown = app->remaining(true);
   if(unknown.empty())
-    return "htloops: " + std::string(error.what()) + help;
+    return "htloops: " + printable_lines(error.what()) + help;
   std::string word = unknown.front();
   word.resize((std::min)(word.find('='), word.size()));
-  const std::string meant = nearest(word, words_of(command));
-  return "htloops: '" + word + "' is not understood" +
+  const std::string meant = command.get_parent() == nullptr && is_named_as_mesh(word)
+                                ? name_of(command) + " loops " + printable(word)
+                                : nearest(word, words_of(command));
+  return "htloops: '" + printable(word) + "' is not understood" +
          (meant.empty() ? "" : "; did you mean '" + meant + "'?") + help;
 }
 
 Outcome ended_by(Exit_code code, const char* message) { return {static_cast<int>(code), message}; }
 
 Outcome interrupted() {
+#ifdef SIGPIPE
+  if(interrupting_signal() == SIGPIPE) // who read has enough
+    return {128 + SIGPIPE, ""};
+#endif
   return {128 + interrupting_signal(), "interrupted, nothing more is written"};
 }
 
@@ -125,16 +135,9 @@ Examples:
   htloops loops --help                            says more of a command
 )";
 
-// Names of files may be of any characters; none of them is to move the cursor.
-std::string printable(std::string message) {
-  for(char& c : message)
-    if(static_cast<unsigned char>(c) < ' ' && c != '\n')
-      c = '?';
-  return message;
-}
-
 int report(int code, const std::string& message) {
-  std::cerr << "htloops: " << printable(message) << std::endl;
+  if(!message.empty())
+    std::cerr << "htloops: " << printable_lines(message) << std::endl;
   return code;
 }
 
@@ -176,6 +179,7 @@ Outcome outcome_of(const std::function<void()>& action) {
 }
 
 int run_tool(int argc, char** argv) {
+  occupy_standard_streams();
   CLI::App app(tool_description, "htloops");
   app.formatter(std::make_shared<Help_formatter>("COMMAND"));
   app.failure_message(usage_message);
@@ -200,9 +204,12 @@ int run_tool(int argc, char** argv) {
   }
   try {
     std::vector<std::string> arguments(argv + 1, argv + argc);
+    check_lists(app, arguments);
     write_out_bores(arguments);
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
     app.parse(std::move(arguments));
+  } catch(const Failure& failure) {
+    return report(static_cast<int>(failure.code()), failure.what());
   } catch(const CLI::ParseError& error) {
     const bool is_request = app.exit(error) == static_cast<int>(CLI::ExitCodes::Success);
     if(is_request && !std::cout.flush())

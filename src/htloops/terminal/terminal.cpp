@@ -17,6 +17,7 @@
 #ifdef _WIN32
 #include <io.h>
 #else
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
@@ -33,6 +34,15 @@ bool is_terminal(std::FILE* stream) {
   return _isatty(_fileno(stream)) != 0;
 #else
   return isatty(fileno(stream)) != 0;
+#endif
+}
+
+void occupy_standard_streams() {
+#ifndef _WIN32
+  for(int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+    if(fcntl(stream, F_GETFD) == -1)
+      open("/dev/null",
+           stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // what it is for fails as before
 #endif
 }
 

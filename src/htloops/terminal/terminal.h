@@ -22,6 +22,10 @@ namespace htloops {
 /// whether a person looks at the stream.
 bool is_terminal(std::FILE* stream);
 
+/// sees to it that no file that is opened takes the place of a standard stream that is closed,
+/// where it would get what is printed.
+void occupy_standard_streams();
+
 /// whether to colour what goes to the stream; `when` is auto, always or never.
 bool use_colour(const std::string& when, std::FILE* stream);
 
