@@ -48,7 +48,7 @@ endforeach()
 # Every output of every command, as the help has them, refuses an ending that it cannot write, says what it
 # can, and so does the help; nothing is written. What has no ending is what it is.
 file(GLOB before RELATIVE "${FOLDER}" "${FOLDER}/*")
-foreach(command IN ITEMS loops measure reeb skeleton remove repair check generate)
+foreach(command IN ITEMS loops measure reeb skeleton cut remove repair check generate)
   set(arguments ${command} mesh.off)
   if(command STREQUAL "generate")
     set(arguments generate torus)
@@ -72,7 +72,7 @@ foreach(command IN ITEMS loops measure reeb skeleton remove repair check generat
     if(option MATCHES "^--(values|loops|text|format)$")
       continue() # is read
     endif()
-    expect_match("${option_text}" "[.](off|json|jsonl|csv|ply|png|html|glb|swc|vtp|graphml)")
+    expect_match("${option_text}" "[.](off|json|jsonl|csv|ply|png|html|glb|swc|vtp|graphml|txt)")
     if(option STREQUAL "--map")
       run(2 remove mesh.off --all -o ball.off --map out.xyz)
     else()

@@ -86,9 +86,9 @@ private:
 
 class Staged_path;
 
-/// A text file written through a buffer; it appears under its name when `finish()` is called, packed
-/// by gzip if the name ends so. The name "-" is the standard output. Throws `Failure` when the file
-/// cannot be written, on a full disk for example, and `Interrupted` on Ctrl-C.
+/// A text file written through a buffer; it appears under its name when `finish()` is called,
+/// packed by gzip if the name ends so. The name "-" is the standard output. Throws `Failure` when
+/// the file cannot be written, on a full disk for example, and `Interrupted` on Ctrl-C.
 class Text_writer : public Text
 {
 public:
