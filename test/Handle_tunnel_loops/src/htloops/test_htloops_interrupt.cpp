@@ -28,6 +28,9 @@ using namespace htloops;
 
 // A shell ignores Ctrl-C for what it runs in the background, and so would these programs.
 [[maybe_unused]] const auto ignored_before = std::signal(SIGINT, SIG_DFL);
+#ifdef SIGPIPE
+[[maybe_unused]] const auto ignored_pipe_before = std::signal(SIGPIPE, SIG_DFL);
+#endif
 
 // How a program ends that does something, which may be interrupted or fail.
 template <typename Do_something> [[noreturn]] void end_after(Do_something do_something) {
@@ -64,7 +67,7 @@ TEST(Interrupt, stops_the_writing_of_a_file_and_leaves_none) {
 TEST(Interrupt_DeathTest, no_signal_leaves_an_unfinished_file) {
   const Temporary_folder folder;
 #ifdef SIGHUP
-  const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+  const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 #else
   const int signals[] = {SIGINT, SIGTERM};
 #endif
