@@ -22,6 +22,7 @@ struct Unit_words
   double metres;
 };
 
+/// its words; those of no unit are empty.
 inline const Unit_words& words_of(Unit unit) {
   static constexpr Unit_words words[] = {{"", "", 1.},
                                          {"micron", "um", 1e-6},

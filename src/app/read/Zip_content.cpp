@@ -39,7 +39,7 @@ Zip_content::Zip_content(const Input_file& archive)
   std::size_t at = number_at<std::uint32_t>(end + 16);
   const std::size_t count = number_at<std::uint16_t>(end + 10);
   for(std::size_t i = 0; i < count; ++i) {
-    if(content.substr(at, 4) != "PK\1\2")
+    if(at > content.size() || content.substr(at, 4) != "PK\1\2")
       fail("its list of files is broken");
     const std::size_t name_size = number_at<std::uint16_t>(at + 28);
     const Member member = {number_at<std::uint16_t>(at + 10), number_at<std::uint32_t>(at + 16),

@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_ANSWER_H
 #define HTLOOPS_ANSWER_H
 
+#include "Unit.h"
 #include "mesh_types.h"
 
 #include "solve/boundaries.h"
@@ -72,6 +73,7 @@ struct Answer
   int number_of_threads = 1;
   double total_seconds = 0.; ///< without reading and writing
   Certificate certificate;
+  Unit unit = Unit::NONE; ///< of lengths, if the file of the mesh tells it
 };
 
 } // namespace htloops

@@ -468,6 +468,8 @@ void write_loops_json(const std::string& target,
   out.member("tool", version());
   Json mesh_json = json_of_mesh(mesh, answer.statistics);
   mesh_json["file"] = as_utf8(run.mesh_file);
+  if(answer.unit != Unit::NONE)
+    mesh_json["unit"] = words_of(answer.unit).name;
   out.member("mesh", mesh_json);
   out.member("options", run.options);
   out.member("backend", answer.backend);

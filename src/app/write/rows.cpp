@@ -134,6 +134,8 @@ Json json_of(const Mesh_line& line) {
   json["components"] = statistics.number_of_components;
   json["boundaries"] = statistics.number_of_boundaries;
   json["genus"] = statistics.genus;
+  if(line.answer.unit != Unit::NONE)
+    json["unit"] = words_of(line.answer.unit).name;
   const auto& certificate = line.answer.certificate;
   if(!certificate.linking.empty()) {
     json["handles_bound_inside"] = certificate.handles_bound_inside.value_or(0);

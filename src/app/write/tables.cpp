@@ -391,6 +391,12 @@ std::string table_of_pairs(const Pair_listing& listing, const Table_options& opt
          why_not_measured(listing);
 }
 
+std::string words_of_unit(Unit unit) {
+  return unit == Unit::NONE
+             ? ""
+             : "lengths in the unit of the file: " + std::string(words_of(unit).name) + "\n";
+}
+
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options) {
   const auto& statistics = answer.statistics;
   std::string text = "genus " + std::to_string(statistics.genus) + " in " +
@@ -413,6 +419,7 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
   const std::string sides = summary_of_sides(answer.certificate);
   if(!sides.empty())
     text += sides + "\n" + reasons(answer, options.show_all);
+  text += words_of_unit(answer.unit);
   if(statistics.was_ended_by_time)
     text += "the search for shorter loops was ended by its time budget\n";
   return text + remarks(statistics.resolution) +

@@ -98,6 +98,8 @@ std::string three_digits(double number);
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options);
 
 /// lines that sum up an answer and what it took, and why loops do not bound, if there are such.
+std::string words_of_unit(Unit unit);
+
 std::string summary(const Answer& answer, double read_seconds, const Table_options& options);
 
 /// a table of the boundary curves for a person, the shortest first: how long they and their waists

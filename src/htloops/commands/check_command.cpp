@@ -124,8 +124,9 @@ void check_skeleton(const Check_options& options, const Mesh& mesh, const Input_
 
 void run(const Check_options& options) {
   check_mesh_format(options.written_mesh_file);
-  const Mesh mesh = read_mesh(options);
-  write_read_mesh(options, mesh);
+  const Mended_mesh mended = read_mended_mesh(options);
+  const Mesh& mesh = mended.mesh;
+  write_read_mesh(options, mended);
   const Input_file file(options.loops_file);
   const std::size_t first = file.content().find_first_not_of(" \t\r\n");
   if(is_skeleton_file(file))

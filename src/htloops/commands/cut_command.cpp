@@ -76,9 +76,10 @@ std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
 void run(const Cut_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mesh mesh = read_mesh(options);
+  const Mended_mesh mended = read_mended_mesh(options);
+  const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mesh);
+  write_read_mesh(options, mended);
   const Cut_answer answer = solve(mesh, options);
   write_files(options, mesh, answer);
   if(!options.dual_file.empty()) {
@@ -86,9 +87,9 @@ void run(const Cut_command_options& options) {
     write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));
   }
   if(!options.is_quiet)
-    show_text(words_of_cut(answer, read_seconds), options.opened_file == "-" ||
-                                                      options.selection_file == "-" ||
-                                                      options.is_mesh_on_standard_output());
+    show_text(words_of_cut(answer, read_seconds) + words_of_unit(mended.facts.unit),
+              options.opened_file == "-" || options.selection_file == "-" ||
+                  options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {

@@ -367,14 +367,15 @@ Json json_of(const Loops_options& options) {
 
 std::pair<Mended_mesh, Mesh_line> read_and_solve(const Loops_options& options, bool show_progress) {
   const Stopwatch stopwatch;
-  Mended_mesh mended = read_mended_mesh(options, input_of(options));
+  Mended_mesh mended = read_mended_mesh(options);
   const Mesh& mesh = mended.mesh;
   Mesh_line line = {options.mesh_file};
   line.number_of_vertices = mesh.number_of_vertices();
   line.number_of_faces = mesh.number_of_faces();
   line.read_seconds = stopwatch.seconds();
   line.answer = solve(mesh, options, show_progress);
-  write_read_mesh(options, mesh);
+  line.answer.unit = mended.facts.unit;
+  write_read_mesh(options, mended);
   line.listing = list_pairs(mesh, line.answer, listing_options(options.listing, mesh));
   return {std::move(mended), std::move(line)};
 }

@@ -219,13 +219,13 @@ Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file) {
   return mended;
 }
 
-Mesh read_mesh(const Mesh_options& options) {
-  return std::move(read_mended_mesh(options, input_of(options)).mesh);
+Mended_mesh read_mended_mesh(const Mesh_options& options) {
+  return read_mended_mesh(options, input_of(options));
 }
 
-void write_read_mesh(const Mesh_options& options, const Mesh& mesh) {
+void write_read_mesh(const Mesh_options& options, const Mended_mesh& mended) {
   if(!options.written_mesh_file.empty())
-    write_mesh(options.written_mesh_file, mesh);
+    write_mesh(options.written_mesh_file, mended.mesh, {}, "", mended.facts);
 }
 
 CLI::Option* add_numbers(CLI::App& command,

@@ -77,10 +77,10 @@ Input_file input_of(const Mesh_options& options);
 
 /// reads the mesh and, unless it is to be quiet, says what has been done to it.
 Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file);
-Mesh read_mesh(const Mesh_options& options);
+Mended_mesh read_mended_mesh(const Mesh_options& options);
 
 /// writes the mesh that was read if that is asked for.
-void write_read_mesh(const Mesh_options& options, const Mesh& mesh);
+void write_read_mesh(const Mesh_options& options, const Mended_mesh& mended);
 
 /// Options that the commands have that compute something on a mesh.
 struct Common_options : Mesh_options

@@ -187,12 +187,12 @@ std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
 void run(const Reeb_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mended_mesh mended = read_mended_mesh(options, input_of(options));
+  const Mended_mesh mended = read_mended_mesh(options);
   const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
   const Reeb_answer answer = solve(mended, options);
-  write_read_mesh(options, mesh);
-  const std::string text = words_of_graph(answer, read_seconds);
+  write_read_mesh(options, mended);
+  const std::string text = words_of_graph(answer, read_seconds) + words_of_unit(mended.facts.unit);
   std::vector<Listed_arc> arcs; // measuring them takes a look at every face
   if(!options.is_quiet || !options.csv_file.empty() || !options.page_file.empty())
     arcs = list_arcs(mesh, answer);

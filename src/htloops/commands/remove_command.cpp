@@ -40,11 +40,14 @@ namespace htloops {
 namespace {
 
 // What of the mesh's data will be in the result; says what will not.
-Vertex_properties properties_to_keep(const Input_file& file, const Remove_options& options) {
+Vertex_properties
+properties_to_keep(const Input_file& file, const File_facts& facts, const Remove_options& options) {
   if(options.is_dry_run || options.result_file.empty())
     return {};
   Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
-  const std::string list = boost::algorithm::join(unread_data(file, kept), "; ");
+  std::vector<std::string> unread = unread_data(file, kept);
+  unread.insert(unread.end(), facts.unread.begin(), facts.unread.end());
+  const std::string list = boost::algorithm::join(unread, "; ");
   if(!list.empty() && !options.is_quiet)
     std::fprintf(stderr, "htloops: of %s is not kept: %s\n", printable(options.mesh_file).c_str(),
                  list.c_str());
@@ -58,12 +61,12 @@ void extend(Vertex_properties& properties, const std::vector<std::uint32_t>& ori
       property.values.push_back(double(property.values[origin]));
 }
 
-std::pair<Mesh, Vertex_properties> read(const Remove_options& options) {
+std::pair<Mended_mesh, Vertex_properties> read(const Remove_options& options) {
   const Input_file file = input_of(options);
   Mended_mesh mended = read_mended_mesh(options, file);
-  Vertex_properties properties = properties_to_keep(file, options);
+  Vertex_properties properties = properties_to_keep(file, mended.facts, options);
   extend(properties, mended.origins);
-  return {std::move(mended.mesh), std::move(properties)};
+  return {std::move(mended), std::move(properties)};
 }
 
 Answer read_basis(const Mesh& mesh, const std::string& file) {
@@ -229,7 +232,8 @@ std::string table_and_summary(const Remove_options& options, const Removal_repor
 void run(const Remove_options& options) {
   check_remove_options(options);
   const Stopwatch stopwatch;
-  auto [mesh, properties] = read(options);
+  auto [mended, properties] = read(options);
+  const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
   check_lengths(options, diagonal_of(mesh));
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
@@ -242,17 +246,17 @@ void run(const Remove_options& options) {
   const Told_removal told = htloops::told(mesh, answer, removal.report, options);
   if(!has_choice(options) && !options.is_dry_run)
     ask_for_choice(options, told.report);
-  write_read_mesh(options, mesh);
+  write_read_mesh(options, mended);
   if(!options.is_dry_run) {
     spread_properties(removal, properties);
-    write_mesh(options.result_file, removal.mesh, properties);
+    write_mesh(options.result_file, removal.mesh, properties, "", mended.facts);
     if(!options.map_file.empty())
       write_map_json(options.map_file, mesh, removal);
   }
   write_files(options, mesh, answer, removal, told);
   if(!options.is_quiet)
     show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
-                  table_and_summary(options, told.report) +
+                  table_and_summary(options, told.report) + words_of_unit(mended.facts.unit) +
                   words_of_time(removal, loops_seconds, read_seconds) +
                   (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
               is_output_taken(options));

@@ -106,13 +106,14 @@ bool is_output_taken(const Skeleton_command_options& options) {
 void run(const Skeleton_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mended_mesh mended = read_mended_mesh(options, input_of(options));
+  const Mended_mesh mended = read_mended_mesh(options);
   const double read_seconds = stopwatch.seconds();
   const Skeleton_answer answer = solve(mended.mesh, options);
-  write_read_mesh(options, mended.mesh);
+  write_read_mesh(options, mended);
   write_files(options, mended.mesh, answer, read_seconds);
   if(!options.is_quiet)
-    show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds),
+    show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds) +
+                  words_of_unit(mended.facts.unit),
               is_output_taken(options));
   if(!answer.certificate() && !answer.does_mesh_touch_itself)
     throw Failure(

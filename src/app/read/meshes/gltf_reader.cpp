@@ -279,10 +279,10 @@ private:
       std::iota(corners.begin(), corners.end(), 0.);
     }
     const auto vertex = [&](std::size_t i) {
-      const auto v = static_cast<std::size_t>(corners[i]);
-      if(v >= points.count)
-        fail(no_such_vertex(soup_.faces.size(), static_cast<long long>(v), points.count));
-      return points.first + v;
+      if(!(corners[i] >= 0. && corners[i] < static_cast<double>(points.count)))
+        fail(name_of_face(soup_.faces.size()) + " names a vertex that is not there: of " +
+             std::to_string(points.count) + ", they count from 0");
+      return points.first + static_cast<std::size_t>(corners[i]);
     };
     const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
     for(std::size_t i = 0; i + 2 < corners.size(); i += step) {

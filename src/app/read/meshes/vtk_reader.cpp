@@ -30,7 +30,7 @@ enum Vtk_cell {
   BIQUADRATIC_TRIANGLE = 34
 };
 
-using Corners = std::vector<std::size_t>;
+using Points_of_cell = std::vector<std::size_t>;
 
 class Vtk_reader
 {
@@ -75,27 +75,27 @@ private:
 
   void read_polygons(const Xml_tree& piece) {
     const std::size_t first = read_points(piece);
-    for(const Corners& polygon : document_.cells(piece, "Polys", first))
+    for(const Points_of_cell& polygon : document_.cells(piece, "Polys", first))
       soup_.add_face(polygon);
-    for(const Corners& strip : document_.cells(piece, "Strips", first))
+    for(const Points_of_cell& strip : document_.cells(piece, "Strips", first))
       add_strip(strip);
   }
 
   // Each triangle has two points of the one before, which it goes around the other way.
-  void add_strip(const Corners& strip) {
+  void add_strip(const Points_of_cell& strip) {
     for(std::size_t i = 2; i < strip.size(); ++i)
       soup_.add_face(
           std::array<std::size_t, 3>{strip[i - 2], strip[i - 1 + i % 2], strip[i - i % 2]});
   }
 
   void read_cells(const Xml_tree& piece) {
-    const std::vector<Corners> cells = document_.cells(piece, "Cells", read_points(piece));
+    const std::vector<Points_of_cell> cells = document_.cells(piece, "Cells", read_points(piece));
     const std::vector<double> of_cells = document_.array(piece, "Cells", "types");
     for(std::size_t c = 0; c < cells.size() && c < of_cells.size(); ++c)
-      add_cell(static_cast<int>(of_cells[c]), cells[c]);
+      add_cell(of_cells[c], cells[c]);
   }
 
-  void add_cell(int type, Corners cell) {
+  void add_cell(double type, Points_of_cell cell) {
     const auto add = [this, &cell](std::size_t corners) {
       cell.resize((std::min)(corners, cell.size())); // without those within edges
       soup_.add_face(cell);
