@@ -68,6 +68,7 @@ std::string read_whole_file(const std::string& file) {
 
 Input_file::Input_file(std::string name, const std::string& format)
     : name_(name == "-" ? "the standard input" : printable(name))
+    , path_(name)
     , format_(format.empty() ? "" : "." + format) {
   set_content(read_whole_file(name));
 }

@@ -10,6 +10,8 @@
 #ifndef HTLOOPS_INPUT_FILE_H
 #define HTLOOPS_INPUT_FILE_H
 
+#include "file_names.h"
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,13 +32,17 @@ public:
   /// a file that is in memory already; its name says of which format it is.
   static Input_file in_memory(std::string name, std::string content) {
     Input_file file;
-    file.name_ = std::move(name);
+    file.name_ = printable(name);
+    file.path_ = std::move(name);
     file.set_content(std::move(content));
     return file;
   }
 
   /// as it can be printed.
   const std::string& name() const { return name_; }
+
+  /// as it is called where it lies.
+  const std::string& path() const { return path_; }
 
   /// whether it is of the format of files whose names end so, `.off` say.
   bool is_of_format(std::string_view extension) const;
@@ -52,7 +58,7 @@ private:
 
   void set_content(std::string content);
 
-  std::string name_;
+  std::string name_, path_;
   std::string format_; // with the dot; empty if the name tells
   bool is_packed_ = false;
   std::shared_ptr<const std::string> content_;

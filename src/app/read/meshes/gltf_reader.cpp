@@ -148,7 +148,7 @@ private:
     const auto size = static_cast<unsigned>(content.size());
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(skip_image, nullptr);
-    std::string folder = std::filesystem::path(file_.name()).parent_path().string();
+    std::string folder = std::filesystem::path(file_.path()).parent_path().string();
     reader.SetFsCallbacks({is_buffer_there, same_path, read_buffer, nullptr, &folder});
     std::string error, warning;
     const bool is_read =
