@@ -130,7 +130,7 @@ Examples:
   htloops reeb torus.off --picture reeb.png       draws its Reeb graph
   htloops skeleton torus.off --lines torus.vtp    finds a curve skeleton inside
   htloops cut torus.off -o open.obj               cuts it open to a disk
-  htloops remove torus.off -o ball.off            removes its handle
+  htloops remove torus.off -o ball.off --all      removes its handle
   htloops repair soup.stl -o sound.off            makes a manifold of a mesh that is none
   htloops loops --help                            says more of a command
 )";
