@@ -3,6 +3,7 @@
 set(HTLOOPS_APP_SOURCES
   solve/backends.cpp
   solve/boundaries.cpp
+  solve/charts.cpp
   solve/certification.cpp
   solve/cut_solver.cpp
   solve/details.cpp
@@ -72,6 +73,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   write/rows.cpp
   write/mesh_writer.cpp
   write/pair_listing.cpp
+  write/seam_script.cpp
   write/skeleton_formats.cpp
   write/tables.cpp
   write/throat_tables.cpp

@@ -10,7 +10,7 @@ foreach(script IN ITEMS batch_end_to_end check_end_to_end end_to_end files_end_t
 endforeach()
 
 # What other programs say of files of the tool; skipped where they are not.
-foreach(script IN ITEMS cut_in_gmsh cut_in_vtk)
+foreach(script IN ITEMS cut_in_blender cut_in_gmsh cut_in_vtk)
   add_test(NAME htloops_${script}
     COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
       "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_${script}"

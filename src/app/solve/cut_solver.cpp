@@ -17,10 +17,12 @@
 #include <CGAL/cut_to_disk.h>
 #include <CGAL/dual_cuts.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace htloops {
 namespace {
@@ -68,10 +70,63 @@ std::vector<Loop> basis_of(const Mesh& mesh,
   return basis;
 }
 
+std::vector<Mesh::Edge_index> edges_of_cut(const Mesh& mesh,
+                                           const Cut_options& options,
+                                           const std::vector<char>& is_cone,
+                                           Progress& progress) {
+  namespace parameters = CGAL::parameters;
+  std::vector<Mesh::Edge_index> edges;
+  const auto cones =
+      boost::make_iterator_property_map(is_cone.begin(), get(CGAL::vertex_index, mesh));
+  const auto np = parameters::do_cut_spheres(
+      options.do_cut_spheres,
+      parameters::callback(progress.callback()).vertex_is_constrained_map(cones));
+  if(options.avoided.empty()) {
+    CGAL::cut_to_disk<Tag>(mesh, std::back_inserter(edges), np);
+    return edges;
+  }
+  const auto weight = [&](Mesh::Edge_index e) {
+    return options.avoided[e.idx()] ? (std::numeric_limits<double>::infinity)()
+                                    : length_of(mesh, e);
+  };
+  CGAL::cut_to_disk<Tag>(
+      mesh, std::back_inserter(edges),
+      parameters::edge_weight_map(boost::make_function_property_map<Mesh::Edge_index>(weight), np));
+  return edges;
+}
+
+// A sphere that is cut along a single edge is no disk of triangles: a third vertex makes it one,
+// which is a neighbor of an end. Whether there are such.
+bool add_cones_at_lone_edges(const Mesh& mesh,
+                             const Cut_options& options,
+                             const std::vector<Mesh::Edge_index>& cut,
+                             std::vector<char>& is_cone) {
+  std::vector<std::size_t> degree(mesh.number_of_vertices(), 0);
+  for(const Mesh::Edge_index e : cut)
+    for(const int i : {0, 1})
+      ++degree[mesh.vertex(e, i).idx()];
+  const auto is_on_border = [&](Mesh::Vertex_index v) { return mesh.is_border(mesh.halfedge(v)); };
+  bool has_any = false;
+  for(const Mesh::Edge_index e : cut) {
+    const Mesh::Vertex_index u = mesh.vertex(e, 0), v = mesh.vertex(e, 1);
+    if(degree[u.idx()] != 1 || degree[v.idx()] != 1 || is_on_border(u) || is_on_border(v))
+      continue;
+    has_any = true;
+    is_cone[u.idx()] = is_cone[v.idx()] = 1;
+    for(const Mesh::Halfedge_index h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh)) {
+      const bool is_avoided = !options.avoided.empty() && options.avoided[mesh.edge(h).idx()] != 0;
+      if(!is_avoided && mesh.source(h) != u) {
+        is_cone[mesh.source(h).idx()] = 1;
+        break;
+      }
+    }
+  }
+  return has_any;
+}
+
 } // namespace
 
 Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& progress) {
-  namespace parameters = CGAL::parameters;
   const Thread_limit limit(options.number_of_threads);
   progress.start("cut");
   Cut_answer answer;
@@ -80,13 +135,9 @@ Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& prog
   std::vector<char> is_cone(mesh.number_of_vertices(), 0);
   for(const Mesh::Vertex_index v : options.cones)
     is_cone[v.idx()] = 1;
-  const auto cones =
-      boost::make_iterator_property_map(is_cone.begin(), get(CGAL::vertex_index, mesh));
-  CGAL::cut_to_disk<Tag>(
-      mesh, std::back_inserter(answer.edges),
-      parameters::do_cut_spheres(
-          options.do_cut_spheres,
-          parameters::callback(progress.callback()).vertex_is_constrained_map(cones)));
+  answer.edges = edges_of_cut(mesh, options, is_cone, progress);
+  if(options.do_cut_spheres && add_cones_at_lone_edges(mesh, options, answer.edges, is_cone))
+    answer.edges = edges_of_cut(mesh, options, is_cone, progress);
   answer.total_seconds = stopwatch.seconds();
   progress.end();
   answer.genus = genus_of(mesh);

@@ -25,6 +25,7 @@ namespace htloops {
 struct Cut_options
 {
   std::vector<Mesh::Vertex_index> cones; ///< vertices that the cut has to pass
+  Face_cuts avoided;                     ///< edges that it must not pass; empty: none
   bool do_cut_spheres = false;
   int number_of_threads = 0; ///< 0: as many as the machine has
 };

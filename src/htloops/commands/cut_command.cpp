@@ -9,11 +9,15 @@
 
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
+#include "app/mend/mesh_reader.h"
+#include "app/read/soup.h"
+#include "app/solve/charts.h"
 #include "app/solve/cut_solver.h"
 #include "app/words.h"
 #include "app/write/dual_formats.h"
 #include "app/write/files.h"
 #include "app/write/mesh_writer.h"
+#include "app/write/seam_script.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
 #include "commands/options.h"
@@ -21,6 +25,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -30,22 +35,57 @@ struct Cut_command_options : Common_options
   std::string opened_file;
   std::string selection_file;
   std::string dual_file;
+  std::string seams_file;
+  std::string charts_file;
   std::vector<std::uint32_t> cones;
   bool do_cut_spheres = false;
+
+  /// whether the faces of the file matter as they are.
+  bool is_for_textures() const { return !seams_file.empty() || !charts_file.empty(); }
 };
 
 void check_options(const Cut_command_options& options) {
   check_opened_mesh_format(options.opened_file);
   check_suffix(options.selection_file, ".selection.txt");
   check_dual_format(options.dual_file);
+  check_suffix(options.seams_file, ".py");
+  check_suffix(options.charts_file, ".obj");
+  if(!options.charts_file.empty() && !can_make_charts())
+    throw wrong_usage("--uv wants a build with Eigen");
+  if(options.is_for_textures() && (options.remedies.do_repair || options.remedies.weld))
+    throw wrong_usage("--seams and --uv are about the vertices and faces of the file as they are: "
+                      "mend it before, by htloops repair");
   check_common_options(options);
 }
 
-Cut_answer solve(const Mesh& mesh, const Cut_command_options& options) {
+/// The mesh, and for textures its faces before they became triangles.
+struct Cut_mesh
+{
+  Soup faces;
+  Mended_mesh mended;
+};
+
+Cut_mesh read(const Cut_command_options& options) {
+  Cut_mesh result;
+  Input_file file = input_of(options);
+  Mesh_options reading = options;
+  if(options.is_for_textures()) {
+    result.faces = read_whole_soup(file);
+    reading.remedies.do_triangulate = true;
+    reading.is_quiet = options.is_quiet || !options.remedies.any();
+  }
+  result.mended = read_mended_mesh(reading, std::move(file));
+  return result;
+}
+
+Cut_answer solve(const Mended_mesh& mended, const Cut_command_options& options) {
+  const Mesh& mesh = mended.mesh;
   Cut_options cut;
   for(const std::uint32_t v : options.cones)
     cut.cones.push_back(vertex_of_mesh(mesh, v));
-  cut.do_cut_spheres = options.do_cut_spheres;
+  cut.do_cut_spheres = options.do_cut_spheres || options.is_for_textures();
+  if(options.is_for_textures())
+    cut.avoided = mended.cuts;
   cut.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   return find_cut(mesh, cut, bar);
@@ -65,6 +105,27 @@ void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut
   }
 }
 
+std::string words_of(const Charts& charts) {
+  std::string words =
+      counted(charts.number, "chart", "charts") +
+      formatted(": angles off by a factor of %.3g in the mean, areas by %.3g to %.3g\n",
+                charts.angle_distortion, charts.least_area, charts.largest_area);
+  if(charts.number_of_fine_ones != 0)
+    words += counted(charts.number_of_fine_ones, "chart has", "charts have") +
+             " triangles that single precision turns over\n";
+  return words;
+}
+
+// Says how good they are.
+std::string write_charts(const std::string& file,
+                         const Cut_mesh& read,
+                         const std::vector<Mesh::Edge_index>& cut) {
+  const Opened_mesh opened = open_mesh(read.mended.mesh, cut);
+  const Charts charts = make_charts(opened.soup);
+  export_charts(file, read.faces, read.mended.mesh, opened, charts);
+  return words_of(charts);
+}
+
 std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
   return "genus " + std::to_string(answer.genus) + ": cut along " +
          counted(answer.edges.size(), "edge", "edges") +
@@ -76,20 +137,24 @@ std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
 void run(const Cut_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Mended_mesh mended = read_mended_mesh(options);
-  const Mesh& mesh = mended.mesh;
+  const Cut_mesh read_mesh = read(options);
+  const Mesh& mesh = read_mesh.mended.mesh;
   const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, mended);
-  const Cut_answer answer = solve(mesh, options);
+  const Cut_answer answer = solve(read_mesh.mended, options);
+  std::string words = words_of_cut(answer, read_seconds);
+  if(!options.charts_file.empty())
+    words += write_charts(options.charts_file, read_mesh, answer.edges);
+  write_read_mesh(options, read_mesh.mended);
+  if(!options.seams_file.empty())
+    write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
   write_files(options, mesh, answer);
   if(!options.dual_file.empty()) {
     Progress_bar bar(!options.is_quiet && is_terminal(stderr));
     write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));
   }
   if(!options.is_quiet)
-    show_text(words_of_cut(answer, read_seconds) + words_of_unit(mended.facts.unit),
-              options.opened_file == "-" || options.selection_file == "-" ||
-                  options.is_mesh_on_standard_output());
+    show_text(words + words_of_unit(read_mesh.mended.facts.unit), options.opened_file == "-" || options.selection_file == "-" ||
+                         options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
@@ -98,6 +163,12 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
              "the opened mesh, with a vertex for each side: .off .obj .ply");
   add_output(command, "--selection", "FILE.selection.txt", options.selection_file,
              "the edges, as a selection of CGAL");
+  add_output(command, "--seams", "FILE.py", options.seams_file,
+             "the edges as seams, marked by a program that Blender runs");
+  add_output(command, "--uv", "FILE.obj", options.charts_file,
+             "the mesh with texture coordinates: each component laid out as one disk. For this\n"
+             "and for seams quadrangles and polygons stay as they are, and are not cut across;\n"
+             "spheres are cut, too");
   add_output(command, "--dual", "FILE", options.dual_file,
              "for each handle and tunnel loop, and all boundary curves but one of each\n"
              "component, a cut that crosses it once and no other: as .json, or as lines with\n"
@@ -129,6 +200,8 @@ constexpr char cut_examples[] = R"(Examples:
   htloops cut part.off -o open.obj                the opened mesh
   htloops cut part.off --selection part.selection.txt
                                                   for CGAL::Seam_mesh, and for CGAL's programs
+  htloops cut chair.obj --seams seams.py          for Blender: blender --python seams.py
+  htloops cut chair.obj --uv unwrapped.obj        with texture coordinates
   htloops cut part.off --through 17,4 --picture cut.png
                                                   through two vertices, and a look at it
   htloops cut plate.off --dual cuts.msh           jumps of potentials on a plate with holes
