@@ -18,7 +18,8 @@ checks=("${tests[@]}" clang-format)
 all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshio python3-matplotlib
   python3-pil python3-distributed)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
-judges=("${tests[@]}" python3-nibabel python3-gmsh blender paraview python3-paraview prusa-slicer)
+judges=("${tests[@]}" python3-nibabel python3-gmsh blender paraview python3-paraview prusa-slicer
+  pymol)
 
 case "${1:-tool}" in
   tool) wanted=("${tool[@]}") ;;

@@ -5,6 +5,7 @@ set(HTLOOPS_APP_SOURCES
   solve/boundaries.cpp
   solve/charts.cpp
   solve/certification.cpp
+  solve/channels.cpp
   solve/cut_solver.cpp
   solve/details.cpp
   solve/host_backend.cpp
@@ -65,6 +66,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/meshes/vtk_reader.cpp
   write/Gltf_document.cpp
   write/Zip_archive.cpp
+  write/channel_formats.cpp
   write/documents.cpp
   write/dual_formats.cpp
   write/files.cpp

@@ -248,5 +248,19 @@ def made_3mf_by_slicer(file, result):
     _output([_program("prusa-slicer"), "--export-3mf", str(file), "-o", str(result)])
 
 
+def pymol(file):
+    """How many atoms PyMOL loads, and the radii that it takes from the column of B factors."""
+    program = _program("pymol")
+    script = pathlib.Path(file).with_suffix(".pml")
+    script.write_text(f"""load {file}
+alter all, vdw=b
+rebuild
+radii = []
+iterate all, radii.append(vdw)
+print("\\nJUDGED " + __import__("json").dumps(dict(atoms=cmd.count_atoms("all"), radii=radii)))
+""")
+    return _marked(_output([program, "-cq", str(script)], env={**os.environ, "PATH": "/usr/bin:/bin"}))
+
+
 def exported_by_assimp(file, result):
     _output([_program("assimp"), "export", str(file), str(result)])

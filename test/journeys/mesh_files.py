@@ -17,6 +17,16 @@ def torus(around=24, across=12, large=2.0, small=0.75, shift=(0.0, 0.0, 0.0)):
     return points, quads
 
 
+def washer(sides=32, inner=2.0, outer=5.0, height=1.5):
+    """Points and quadrangles of a disk with a round bore."""
+    ring = ((inner, 0.0), (outer, 0.0), (outer, height), (inner, height))
+    points = [(r * math.cos(a), r * math.sin(a), z) for a in (2 * math.pi * i / sides for i in range(sides))
+              for r, z in ring]
+    quads = [(4 * i + j, 4 * ((i + 1) % sides) + j, 4 * ((i + 1) % sides) + (j + 1) % 4, 4 * i + (j + 1) % 4)
+             for i in range(sides) for j in range(4)]
+    return points, quads
+
+
 def triangles_of(faces):
     return [(face[0], face[i], face[i + 1]) for face in faces for i in range(1, len(face) - 1)]
 

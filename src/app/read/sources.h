@@ -59,8 +59,10 @@ public:
   /// the number of bytes before this place.
   std::size_t position() const { return static_cast<std::size_t>(at_ - begin_); }
 
-  /// goes to the place before which there are so many bytes.
-  void go_to(std::size_t position) { at_ = begin_ + position; }
+  /// goes to the place before which there are so many bytes, or to the end if that comes before.
+  void go_to(std::size_t position) {
+    at_ = begin_ + (std::min)(position, static_cast<std::size_t>(end_ - begin_));
+  }
 
   /// the number of the current line, from 1.
   std::size_t line() const;

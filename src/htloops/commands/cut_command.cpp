@@ -153,8 +153,9 @@ void run(const Cut_command_options& options) {
     write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));
   }
   if(!options.is_quiet)
-    show_text(words + words_of_unit(read_mesh.mended.facts.unit), options.opened_file == "-" || options.selection_file == "-" ||
-                         options.is_mesh_on_standard_output());
+    show_text(words + words_of_unit(read_mesh.mended.facts.unit),
+              options.opened_file == "-" || options.selection_file == "-" ||
+                  options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {

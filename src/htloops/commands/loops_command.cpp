@@ -16,6 +16,7 @@
 #include "app/interrupt.h"
 #include "app/read/mesh_list.h"
 #include "app/words.h"
+#include "app/write/channel_formats.h"
 #include "app/write/documents.h"
 #include "app/write/tables.h"
 #include "app/write/throat_tables.h"
@@ -124,6 +125,8 @@ void write_files(const Loops_options& options, const Mended_mesh& mended, const 
     write_events(options.events_file, answer);
   for(const std::string& file : options.lines_files)
     export_lines(file, lines_of(answer, line.listing));
+  if(!options.channels_file.empty())
+    write_channels(options.channels_file, find_channels(mesh, answer.measures));
   if(!options.layers_file.empty())
     export_layers(options.layers_file, mesh, answer.vertex_layers);
   const View view = view_of(options, line);

@@ -13,6 +13,7 @@
 #include "app/solve/backends.h"
 #include "app/solve/details.h"
 #include "app/solve/progress.h"
+#include "app/write/channel_formats.h"
 #include "app/write/files.h"
 #include "commands/command.h"
 #include "terminal/terminal.h"
@@ -40,6 +41,12 @@ void add_table_options(CLI::App& command, Loops_options& options) {
                    "interrupted: what they tell of is not done again");
 }
 
+void add_channels_option(CLI::App& command, Loops_options& options) {
+  add_output(command, "--channels", "FILE", options.channels_file,
+             "the ways through the holes, with the room along them: .pdb (the radius is the\n"
+             "B factor) and .bild for molecules, .csv; needs measures");
+}
+
 void add_output_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to write");
   add_json_option(command, options, "the loops");
@@ -47,6 +54,7 @@ void add_output_options(CLI::App& command, Loops_options& options) {
   add_lines_option(command, options, "the loops");
   add_output(command, "--events", "FILE.json", options.events_file,
              "what happens to the fronts of the first pass, as JSON");
+  add_channels_option(command, options);
   add_output(command, "--layers", "FILE.ply", options.layers_file,
              "the mesh with the layers of the first pass, and when its fronts came");
   add_picture_options(command, options, "the loops");
@@ -163,6 +171,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
       {"--output", !options.json_file.empty()},
       {"--events", !options.events_file.empty()},
       {"--layers", !options.layers_file.empty()},
+      {"--channels", !options.channels_file.empty()},
       {"--lines", !options.lines_files.empty()},
       {"--picture", !options.picture.file.empty()},
       {"--html", !options.page_file.empty()},
@@ -291,6 +300,7 @@ void add_measure_options(CLI::App& command, Loops_options& options) {
   add_table_options(command, options);
   add_picture_options(command, options, "the loops");
   add_page_option(command, options, "the mesh, the loops and the balls");
+  add_channels_option(command, options);
   add_view_options(command, options);
   add_remedy_options(command, options);
   command.option_defaults()->group("How to compute");
@@ -318,6 +328,9 @@ void check_loops_options(const Loops_options& options) {
   if(!options.through.empty() && !options.do_find_throats)
     throw wrong_usage("--through goes with --throats");
   check_suffix(options.layers_file, ".ply");
+  check_channel_format(options.channels_file);
+  if(!options.channels_file.empty() && !options.has_measures())
+    throw wrong_usage("--channels are of clear widths: it needs --measure");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
     throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
                       (has_pictures ? "--picture or --gltf" : "--gltf"));

@@ -43,6 +43,7 @@ struct Loops_options : Common_options
   bool do_resume = false; ///< a batch that was interrupted
   std::string events_file;
   std::string layers_file;
+  std::string channels_file;
   std::optional<double> moment; ///< of the first pass, to be seen in pictures
   std::string csv_file;
   std::string jsonl_file; ///< an object of JSON for each mesh

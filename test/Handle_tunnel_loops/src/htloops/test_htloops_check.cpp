@@ -34,6 +34,7 @@
 namespace test_htloops_check {
 
 using namespace htloops;
+using CGAL::Handle_tunnel_loops::generators::Soup;
 using htloops::Mesh;
 using htloops::Pairs;
 
