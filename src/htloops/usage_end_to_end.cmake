@@ -72,7 +72,7 @@ foreach(command IN ITEMS loops measure reeb skeleton cut remove repair check gen
     if(option MATCHES "^--(values|loops|text|format)$")
       continue() # is read
     endif()
-    expect_match("${option_text}" "[.](off|json|jsonl|csv|ply|png|html|glb|swc|vtp|graphml|txt)")
+    expect_match("${option_text}" "[.](off|obj|py|pdb|json|jsonl|csv|ply|png|html|glb|swc|vtp|graphml|txt)")
     if(option STREQUAL "--map")
       run(2 remove mesh.off --all -o ball.off --map out.xyz)
     else()

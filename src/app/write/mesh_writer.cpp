@@ -85,7 +85,8 @@ void check_mesh_format(const std::string& file) {
 std::string words_of_written_meshes() {
   std::string words;
   for(const auto& format : mesh_formats)
-    words += (words.empty() ? "" : " ") + std::string(format.suffix);
+    if(format.write != write_freesurfer || format.suffix == ".surf") // which has many names
+      words += (words.empty() ? "\n" : " ") + std::string(format.suffix);
   return words;
 }
 

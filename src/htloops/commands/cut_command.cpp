@@ -201,7 +201,7 @@ constexpr char cut_examples[] = R"(Examples:
   htloops cut part.off -o open.obj                the opened mesh
   htloops cut part.off --selection part.selection.txt
                                                   for CGAL::Seam_mesh, and for CGAL's programs
-  htloops cut chair.obj --seams seams.py          for Blender: blender --python seams.py
+  htloops cut chair.obj --seams seams.py          a program that Blender runs (its -P)
   htloops cut chair.obj --uv unwrapped.obj        with texture coordinates
   htloops cut part.off --through 17,4 --picture cut.png
                                                   through two vertices, and a look at it

@@ -137,7 +137,7 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
   CLI::App* sub =
       generate.add_subcommand(kind.name, std::string(kind.description) + "\n")->group("Kinds");
   sub->add_option("-o,--output", options->mesh_file,
-                  "the mesh: " + words_of_written_meshes() + " (required)")
+                  "the mesh (required):" + words_of_written_meshes())
       ->option_text("MESH")
       ->type_name(output_file)
       ->required();

@@ -131,18 +131,18 @@ void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::stri
 }
 
 std::string mesh_kinds(const std::string& what) {
-  return what + ": " + words_of_mesh_endings() + ", packed by gzip (.gz) or not";
+  return what + ", packed by gzip (.gz) or not:\n" + words_of_mesh_endings();
 }
 
 void add_format_option(CLI::App& command, Mesh_options& options) {
   std::vector<std::string> formats; // as the endings, without the dot
   for(const std::string& ending : endings_of_meshes())
     formats.push_back(ending.substr(1));
-  add_choice(
-      command, "--format", "FORMAT", options.format,
-      "what it is, whatever the name of the mesh says: " + boost::algorithm::join(formats, " ") +
-          ";\nfor - as a mesh, which is the standard input",
-      formats)
+  add_choice(command, "--format", "FORMAT", options.format,
+             "what it is, whatever the name of the mesh says; for - as a mesh, which is the\n"
+             "standard input: " +
+                 boost::algorithm::join(formats, " "),
+             formats)
       ->group("What to read");
 }
 
@@ -195,7 +195,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
   add_repair_steps(command, "--repair-steps", options.remedies);
   add_weld_option(command, options.remedies);
   add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
-             "the mesh as it is then, which the answer is about: " + words_of_written_meshes());
+             "the mesh as it is then, which the answer is about:" + words_of_written_meshes());
 }
 
 Input_file input_of(const Mesh_options& options) {

@@ -145,7 +145,7 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 void add_output_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to write");
   add_output(command, "-o,--output", "OUT", options.result_file,
-             "the mesh: " + words_of_written_meshes() + "; - is standard output, OFF");
+             "the mesh; - is standard output, OFF; else" + words_of_written_meshes());
   command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
   add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_output(command, "--map", "FILE.json", options.map_file,

@@ -108,7 +108,7 @@ void add_repair_command(CLI::App& app, Command& command) {
   add_mesh_argument(*repair, *options, mesh_kinds("a mesh, fit or not"));
   repair->option_defaults()->group("What to do");
   add_output(*repair, "-o,--output", "OUT", options->written_mesh_file,
-             "the mesh that it becomes: " + words_of_written_meshes());
+             "the mesh that it becomes:" + words_of_written_meshes());
   repair->add_flag("--dry-run", options->is_dry_run, "say what would be done, write nothing");
   repair->add_flag("--triangulate", options->remedies.do_triangulate,
                    "make triangles of faces with more corners, too");
