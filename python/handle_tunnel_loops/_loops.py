@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import operator
 import os
-from dataclasses import dataclass
-from typing import Any, Dict, List, Optional
+from dataclasses import dataclass, fields
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import _core
 from ._arguments import real_or_none, threads_of, vertex_or_none, word
 from ._meshes import arrays
+from ._pairs import PairTable, table_of
+from ._records import Comparable, Record
 from ._waiting import computed
 
 
@@ -31,8 +34,12 @@ class Certificate:
         return self.certified
 
 
+def certificate_of(record: Dict[str, Any]) -> Certificate:
+    return Certificate(**{part.name: record[part.name] for part in fields(Certificate)})
+
+
 @dataclass(frozen=True, eq=False, repr=False)
-class Loop:
+class Loop(Comparable):
     """A closed polyline on a mesh. Its k places are on edges or at vertices; two that follow each other,
     and the last and the first, lie on a common face."""
 
@@ -45,6 +52,9 @@ class Loop:
     component: int  #: of the surface
     bounds: str = "undecided"  #: "inside", "outside", "both", "neither" or "undecided"
     bounds_alone: str = "undecided"  #: the same if the other components were not there
+
+    def __hash__(self) -> int:
+        return hash((self.kind, self.number, self.length))
 
     def __len__(self) -> int:
         return len(self.ratios)
@@ -80,14 +90,15 @@ def _loops_of(record: Dict[str, Any], kinds: List[str], numbers: List[int]) -> L
     return loops
 
 
-class Loops:
-    """The loops of a mesh: ``handles[i]`` and ``tunnels[i]`` are a pair.
+class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
+    """The loops of a mesh, a sequence of pairs: ``L[i]`` is ``handles[i]`` and ``tunnels[i]``, a slice is a list.
 
-    It is made of arrays and can be pickled.
+    It is made of arrays and can be pickled. Two are equal if all in them is, but for the times that they took.
     """
 
     def __init__(self, record: Dict[str, Any]):
         self._record = record
+        record = self._whole_record()
         count = len(record["lengths"]) // 2
         loops = _loops_of(
             record, ["handle", "tunnel"] * count, [i // 2 for i in range(2 * count)]
@@ -110,17 +121,31 @@ class Loops:
         self.layers: Optional[np.ndarray] = record.get("layers")
         #: (n,): when it came, in steps of the field; -1 where there is no face
         self.layer_times: Optional[np.ndarray] = record.get("layer_times")
-        self.certificate = Certificate(**record["certificate"])
+        self.certificate = certificate_of(record["certificate"])
         #: whether the time budget has ended the search for shorter loops
         self.ended_by_time: bool = record["ended_by_time"]
         self.number_of_components: int = record["number_of_components"]
         self.seconds: Dict[str, float] = record["seconds"]  #: by stage of the computation
 
+    def _whole_record(self) -> Record:
+        return Record("the loops", self._record)
+
     def __len__(self) -> int:
         return self.genus
 
+    def __getitem__(self, i: Any) -> Any:
+        if isinstance(i, slice):
+            return list(zip(self.handles[i], self.tunnels[i]))
+        if not -self.genus <= operator.index(i) < self.genus:
+            raise IndexError(f"there is no pair {i}: the genus is {self.genus}")
+        return self.handles[i], self.tunnels[i]
+
     def __bool__(self) -> bool:
         return True  # of genus 0, too
+
+    def _content(self) -> Dict[str, Any]:
+        record = {key: part for key, part in self._record.items() if key != "seconds"}
+        return {**super()._content(), "_record": record, "seconds": None}
 
     def __repr__(self) -> str:
         return f"<Loops: genus {self.genus}, basis {self.basis!r}, {len(self.boundaries)} boundary curves>"
@@ -130,82 +155,32 @@ class Loops:
         """The linking numbers, (2g, 2g): entry (i, j) is how often loop i winds around loop j when that
         is pushed off the surface, outwards; loop 2k is handle k, and 2k + 1 is tunnel k. A
         `scipy.sparse.coo_matrix` where SciPy is there, or else rows, columns and values."""
-        rows, columns, values = self._record["linking"]
+        rows, columns, values = self._whole_record()["linking"]
         try:
             from scipy.sparse import coo_matrix
         except ImportError:
             return rows, columns, values
         return coo_matrix((values, (rows, columns)), shape=(2 * self.genus, 2 * self.genus))
 
-    def table(self) -> np.ndarray:
-        """A structured array, a row for each pair, the smallest first.
+    def table(self) -> PairTable:
+        """A structured array, a row for each pair, the smallest first: ``pandas.DataFrame(L.table())``.
 
         pair, handle_length, tunnel_length (in the unit of the coordinates), size (the shorter one over
-        the diagonal of the mesh's box), centre (3,) and box (2, 3) of the shorter one, component,
-        handle_bounds, tunnel_bounds, diameter (of the round bore that the tunnel goes around, or else of
-        a circle as long as the shorter loop), diameter_of ("bore", "handle" or "tunnel"), bore_axis (3,) and
-        bore_centre (3,), which are NaN for what is none.
+        the diagonal of the mesh's box), centre_x to centre_z and xmin to zmax, the box, of the shorter one,
+        component, handle_bounds, tunnel_bounds, diameter (of the round bore that the tunnel goes around, or
+        else of a circle as long as the shorter loop), diameter_of ("bore", "handle" or "tunnel"), and
+        bore_axis_x to bore_centre_z, which are NaN for what is none.
+
+        Of the table and of its rows, "centre", "bore_axis" and "bore_centre" are three of the columns in one
+        array, and "box" is six, of shape (2, 3).
         """
-        table = np.zeros(self.genus, dtype=_row)
-        diagonal = self._record["diagonal"]
-        bores = self._record["bores"]
-        for i, (handle, tunnel) in enumerate(zip(self.handles, self.tunnels)):
-            shorter = handle if handle.length <= tunnel.length else tunnel
-            box = np.array([shorter.points.min(axis=0), shorter.points.max(axis=0)])
-            is_bore = bores["diameters"][i] > 0
-            table[i] = (
-                i,
-                handle.length,
-                tunnel.length,
-                shorter.length / diagonal if diagonal > 0 else 0.0,
-                box[0] / 2 + box[1] / 2,
-                box,
-                handle.component,
-                handle.bounds,
-                tunnel.bounds,
-                bores["diameters"][i] if is_bore else shorter.length / np.pi,
-                "bore" if is_bore else shorter.kind,
-                bores["axes"][i] if is_bore else np.nan,
-                bores["centres"][i] if is_bore else np.nan,
-            )
-        return table[np.argsort(table["size"], kind="stable")]
+        record = self._whole_record()
+        return table_of(self, record["diagonal"], record["bores"])
 
     def columns(self) -> Dict[str, np.ndarray]:
-        """The same, each number in a column of its own, as pandas takes it: ``pandas.DataFrame(L.columns())``.
-
-        Of a vector these are name_x, name_y and name_z, of the box xmin to zmax.
-        """
-        columns: Dict[str, np.ndarray] = {}
+        """The same as a dictionary of the columns."""
         table = self.table()
-        for name in table.dtype.names or ():
-            values = table[name]
-            if name == "box":
-                for i, end in enumerate(("min", "max")):
-                    columns.update({f"{axis}{end}": values[:, i, k] for k, axis in enumerate("xyz")})
-            elif values.ndim > 1:
-                columns.update({f"{name}_{axis}": values[:, k] for k, axis in enumerate("xyz")})
-            else:
-                columns[name] = values
-        return columns
-
-
-_row = np.dtype(
-    [
-        ("pair", np.int64),
-        ("handle_length", np.float64),
-        ("tunnel_length", np.float64),
-        ("size", np.float64),
-        ("centre", np.float64, (3,)),
-        ("box", np.float64, (2, 3)),
-        ("component", np.int64),
-        ("handle_bounds", "U9"),
-        ("tunnel_bounds", "U9"),
-        ("diameter", np.float64),
-        ("diameter_of", "U6"),
-        ("bore_axis", np.float64, (3,)),
-        ("bore_centre", np.float64, (3,)),
-    ]
-)
+        return {name: table[name] for name in table.dtype.names or ()}
 
 
 def loops(
@@ -260,7 +235,7 @@ def record_of(L: Any, name: str = "L") -> Dict[str, Any]:
     """What the compiled part takes for loops."""
     if not isinstance(L, Loops):
         raise TypeError(f"{name} has to be what loops() returns, not of type {type(L).__name__}")
-    return L._record
+    return L._whole_record()
 
 
 def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
@@ -270,7 +245,7 @@ def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
     """
     if isinstance(F, Loops):
         F, L = None, F
-    return Certificate(**computed("certify", None, _core.certify, *arrays(V, F), record_of(L)))
+    return certificate_of(computed("certify", None, _core.certify, *arrays(V, F), record_of(L)))
 
 
 def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str = "mesh") -> None:

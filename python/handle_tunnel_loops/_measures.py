@@ -10,10 +10,11 @@ from . import _core
 from ._arguments import real_or_none, threads_of
 from ._loops import Loops, record_of
 from ._meshes import arrays
+from ._records import Comparable
 from ._waiting import computed
 
 
-class Balls:
+class Balls(Comparable):
     """The largest balls that can be led along closed curves, one for each pair; NaN where none is known."""
 
     def __init__(self, record: Dict[str, Any]):
@@ -24,7 +25,7 @@ class Balls:
         self.curves: List[np.ndarray] = record["curves"]  #: (k, 3) each: where the centres go
 
 
-class Measures:
+class Measures(Comparable):
     """How thick handles are, and how wide their holes, in the order of the pairs."""
 
     def __init__(self, record: Dict[str, Any]):
@@ -76,7 +77,7 @@ def measure(
     )
 
 
-class Way:
+class Way(Comparable):
     """What one way to remove each handle by itself would change; NaN where it cannot be."""
 
     def __init__(self, record: Dict[str, Any]):
@@ -85,7 +86,7 @@ class Way:
         self.why_not: List[str] = record["why_not"]  #: why it cannot be; empty if it can
 
 
-class RemovalCosts:
+class RemovalCosts(Comparable):
     """What either way to remove each handle by itself would change, in the order of the pairs."""
 
     def __init__(self, record: Dict[str, Any]):

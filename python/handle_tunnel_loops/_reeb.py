@@ -10,13 +10,14 @@ import numpy as np
 from . import _core
 from ._arguments import numbers, real_or_none, threads_of, vertices, word
 from ._meshes import arrays
+from ._records import Comparable
 from ._waiting import computed
 
 _measures = ("limbs", "persistence", "length", "area", "vertices")
 _drawings = ("means", "inside")
 
 
-class ReebGraph:
+class ReebGraph(Comparable):
     """The Reeb graph of a function on a mesh: its contours, each shrunk to a point.
 
     Nodes are critical points, arcs are what lies between them; there are as many independent cycles as

@@ -11,6 +11,7 @@ import numpy as np
 from . import _core
 from ._arguments import real_or_none, threads_of
 from ._meshes import arrays
+from ._records import Comparable, Record
 from ._waiting import computed
 
 
@@ -29,7 +30,7 @@ class SkeletonCertificate:
         return self.connected and self.inside and self.embedded and self.basis
 
 
-class CurveSkeleton:
+class CurveSkeleton(Comparable):
     """Lines in the middle of the solid inside a surface, with the radii of the largest balls there.
 
     Points of other than two edges are nodes: joints, ends and inlets, which are the ends at boundary
@@ -40,6 +41,7 @@ class CurveSkeleton:
 
     def __init__(self, record: Dict[str, Any]):
         self._record = record
+        record = Record("the skeleton", record)
         self.points: np.ndarray = record["points"]  #: (n, 3)
         self.radii: np.ndarray = record["radii"]  #: (n,): of the largest balls inside
         self.components: np.ndarray = record["components"]  #: (n,): of the surface
@@ -102,7 +104,7 @@ class CurveSkeleton:
         .graphml, .dot: graphs; .csv: a row for each arc; .json: all, for ``htloops check``. Numbers read
         back as exactly themselves.
         """
-        computed("save", None, _core.save_skeleton, os.fspath(path), self._record)
+        computed("save", None, _core.save_skeleton, os.fspath(path), Record("the skeleton", self._record))
 
 
 def curve_skeleton(

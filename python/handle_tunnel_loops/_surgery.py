@@ -13,6 +13,7 @@ from ._loops import Loop, Loops, _loops_of, record_of
 from ._loops import loops as loops_of_mesh
 from ._meshes import arrays
 from ._progress import part, told
+from ._records import Comparable
 from ._waiting import computed
 
 
@@ -154,13 +155,16 @@ def cut_to_disk(
     return new_points, new_triangles, origin
 
 
-@dataclass(frozen=True)
-class DualCut:
+@dataclass(frozen=True, eq=False)
+class DualCut(Comparable):
     """A cut that crosses one loop once, counted with sign, and no other."""
 
     loop: Loop  #: a handle or tunnel loop, or a boundary curve
     edges: np.ndarray  #: (k, 2), int64: vertices that edges of the mesh join
     times: np.ndarray  #: (k,), int64: how often the cut runs along each, in that direction
+
+    def __hash__(self) -> int:
+        return hash(self.loop)
 
 
 def dual_cuts(

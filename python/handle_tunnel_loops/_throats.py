@@ -11,11 +11,12 @@ from . import _core
 from ._arguments import real_or_none, threads_of, vertices
 from ._loops import Loops, loops, record_of
 from ._meshes import arrays
+from ._records import Comparable
 from ._waiting import computed
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Throat:
+class Throat(Comparable):
     """A closed geodesic that is shorter than the loops next to it. Its k places are on edges or at vertices,
     as those of a `Loop`."""
 
@@ -34,6 +35,9 @@ class Throat:
     def diameter(self) -> float:
         """That of a circle as long as it."""
         return self.length / np.pi
+
+    def __hash__(self) -> int:
+        return hash((self.length, self.bounds, self.pair))
 
     def __len__(self) -> int:
         return len(self.ratios)

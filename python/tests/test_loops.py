@@ -137,6 +137,27 @@ def test_bores():
     assert columns["bore_axis_z"] == row["bore_axis"][2] and columns["ymax"] == row["box"][1, 1]
 
 
+def test_columns_have_one_dimension(genus_3):
+    L = htl.loops(*genus_3)
+    for table in (L.table(), pickle.loads(pickle.dumps(L.table())), L.table()[:2], L.table()[::-1]):
+        assert all(table[name].ndim == 1 for name in table.dtype.names)
+        assert table["centre"].shape == (len(table), 3) and table["box"].shape == (len(table), 2, 3)
+        for i, row in enumerate(table):
+            assert np.array_equal(row["centre"], table["centre"][i])
+            assert np.array_equal(row["box"], [[row[x + end] for x in "xyz"] for end in ("min", "max")])
+    with pytest.raises(ValueError, match="no field of name centroid"):
+        L.table()["centroid"]
+
+
+def test_pandas_takes_tables(genus_3):
+    pandas = pytest.importorskip("pandas")
+    L = htl.loops(*genus_3)
+    frame = pandas.DataFrame(L.table())
+    assert frame.shape == (3, len(L.table().dtype.names))
+    assert np.array_equal(frame["centre_x"], L.table()["centre"][:, 0])
+    assert list(frame["diameter_of"]) == list(L.table()["diameter_of"])
+
+
 def test_boundary(plate):
     V, F = plate
     L = htl.loops(V, F, waists=True)

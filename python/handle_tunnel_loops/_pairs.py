@@ -1,0 +1,91 @@
+"""The table of the pairs of loops: columns of one dimension, some of which are known together, too."""
+
+from __future__ import annotations
+
+from typing import Any, Dict
+
+import numpy as np
+
+_xyz = "xyz"
+
+# What is a vector or a box in one, by the columns that it is made of.
+_together: Dict[str, np.ndarray] = {
+    "centre": np.array([f"centre_{x}" for x in _xyz]),
+    "box": np.array([[f"{x}{end}" for x in _xyz] for end in ("min", "max")]),
+    "bore_axis": np.array([f"bore_axis_{x}" for x in _xyz]),
+    "bore_centre": np.array([f"bore_centre_{x}" for x in _xyz]),
+}
+
+
+def _columns_together(table: Any, name: str) -> np.ndarray:
+    names = _together[name]
+    return np.stack([table[column] for column in names.flat], axis=-1).reshape(
+        np.shape(table[names.flat[0]]) + names.shape
+    )
+
+
+class PairRow(np.record):
+    """A row of the table."""
+
+    def __getitem__(self, name: Any) -> Any:
+        if isinstance(name, str) and name in _together:
+            return _columns_together(self, name)
+        return super().__getitem__(name)
+
+
+class PairTable(np.ndarray):
+    """A structured array of which each column has one dimension; ``table["centre"]`` is three of them."""
+
+    def __getitem__(self, name: Any) -> Any:
+        if not isinstance(name, str):
+            return super().__getitem__(name)
+        return _columns_together(self, name) if name in _together else np.asarray(self)[name]
+
+
+def _reals(*names: str) -> list:
+    return [(column, np.float64) for name in names for column in _together[name].flat]
+
+
+_row = np.dtype(
+    (
+        PairRow,
+        [
+            ("pair", np.int64),
+            ("handle_length", np.float64),
+            ("tunnel_length", np.float64),
+            ("size", np.float64),
+            *_reals("centre", "box"),
+            ("component", np.int64),
+            ("handle_bounds", "U9"),
+            ("tunnel_bounds", "U9"),
+            ("diameter", np.float64),
+            ("diameter_of", "U6"),
+            *_reals("bore_axis", "bore_centre"),
+        ],
+    )
+)
+
+
+def table_of(L: Any, diagonal: float, bores: Dict[str, np.ndarray]) -> PairTable:
+    table = np.zeros(L.genus, dtype=_row)
+    for i, (handle, tunnel) in enumerate(zip(L.handles, L.tunnels)):
+        shorter = handle if handle.length <= tunnel.length else tunnel
+        box = np.array([shorter.points.min(axis=0), shorter.points.max(axis=0)])
+        is_bore = bores["diameters"][i] > 0
+        no_bore = np.full(3, np.nan)
+        table[i] = (
+            i,
+            handle.length,
+            tunnel.length,
+            shorter.length / diagonal if diagonal > 0 else 0.0,
+            *(box[0] / 2 + box[1] / 2),
+            *box.ravel(),
+            handle.component,
+            handle.bounds,
+            tunnel.bounds,
+            bores["diameters"][i] if is_bore else shorter.length / np.pi,
+            "bore" if is_bore else shorter.kind,
+            *(bores["axes"][i] if is_bore else no_bore),
+            *(bores["centres"][i] if is_bore else no_bore),
+        )
+    return table[np.argsort(table["size"], kind="stable")].view(PairTable)
