@@ -58,6 +58,26 @@ def real_or_none(name: str, value: Any) -> Optional[float]:
     return number
 
 
+def length_or_none(name: str, value: Any, diagonal: float = 1.0) -> Optional[float]:
+    """A length, or text that says what percentage of the diagonal of a box it is."""
+    if not isinstance(value, str):
+        return real_or_none(name, value)
+    try:
+        share = float(value[:-1]) / 100 if value.endswith("%") else math.nan
+    except ValueError:
+        share = math.nan
+    if not 0 < share < math.inf:
+        raise ValueError(
+            f"{name} {value}: not a length, such as 0.25, nor a percentage of the diagonal of the "
+            'bounding box, such as "3%"'
+        )
+    if share > 1:
+        raise ValueError(
+            f"{name} {value} is more than the diagonal of the mesh's box: too long for a small handle"
+        )
+    return share * diagonal
+
+
 def word(name: str, value: Any, words: Iterable[str] = ()) -> str:
     """One of some words, or any text if there are none."""
     if not isinstance(value, str):

@@ -27,6 +27,7 @@ def check(executor: Any, has_memory_limit: bool) -> None:
             raise ValueError(f"executor cannot be {executor}: it is a number of processes")
         return
     distributed = sys.modules.get("distributed")
+    client: Any = executor  # of Dask, perhaps
     is_of_dask = distributed is not None and isinstance(executor, distributed.Client)
     if not is_of_dask and not isinstance(executor, futures_of_python.Executor):
         raise TypeError(
@@ -34,7 +35,7 @@ def check(executor: Any, has_memory_limit: bool) -> None:
             "or a dask.distributed.Client"
         )
     has_threads = (
-        any(number > 1 for number in executor.nthreads().values())
+        any(number > 1 for number in client.nthreads().values())
         if is_of_dask
         else isinstance(executor, futures_of_python.ThreadPoolExecutor)
     )

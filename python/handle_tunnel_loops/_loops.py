@@ -5,16 +5,19 @@ from __future__ import annotations
 import operator
 import os
 from dataclasses import dataclass, fields
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Literal, Optional, Sequence, Tuple, get_args
 
 import numpy as np
 
 from . import _core
 from ._arguments import real_or_none, threads_of, vertex_or_none, word
 from ._meshes import arrays
-from ._pairs import PairTable, table_of
+from ._pairs import PairTable, html_table, table_of
 from ._records import Comparable, Record
 from ._waiting import computed
+
+
+Basis = Literal["pure", "shortest"]
 
 
 @dataclass(frozen=True)
@@ -177,6 +180,10 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         record = self._whole_record()
         return table_of(self, record["diagonal"], record["bores"])
 
+    def _repr_html_(self) -> str:
+        """The table, for notebooks."""
+        return html_table(repr(self), self.table())
+
     def columns(self) -> Dict[str, np.ndarray]:
         """The same as a dictionary of the columns."""
         table = self.table()
@@ -186,7 +193,7 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
 def loops(
     V: Any,
     F: Any = None,
-    basis: str = "pure",
+    basis: Basis = "pure",
     threads: Optional[int] = 0,
     seed: Optional[int] = None,
     progress: Any = None,
@@ -221,7 +228,7 @@ def loops(
             _core.loops,
             points,
             triangles,
-            word("basis", basis, ("pure", "shortest")),
+            word("basis", basis, get_args(Basis)),
             threads_of(threads),
             vertex_or_none("seed", seed),
             bool(waists),
@@ -249,14 +256,17 @@ def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
 
 
 def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str = "mesh") -> None:
-    """Writes a page, one file, in which the mesh with its loops can be turned in any browser.
+    """Writes a page, one file at `path`, in which the mesh with its loops can be turned in any browser.
 
     ``html(mesh, L, path)`` takes one mesh object.
     """
     if isinstance(F, Loops):
         F, L, path = None, F, L if path is None else path
+    record = record_of(L)
+    if path is None:
+        raise TypeError('html() writes a file, and path, its name, is missing: html(V, F, L, "loops.html")')
     path = os.fsdecode(path)
     title = word("title", title).encode("utf-8", "backslashreplace").decode("utf-8")
-    page = computed("html", None, _core.page, *arrays(V, F), record_of(L), title)
+    page = computed("html", None, _core.page, *arrays(V, F), record, title)
     with open(path, "wb") as file:
         file.write(page)

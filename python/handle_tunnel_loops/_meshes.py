@@ -48,7 +48,17 @@ def soup(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, List[np.ndarray]]:
             _refuse_shape("F", "(m, 3), three vertices for each face", part)
     if sum(part.shape[0] * part.shape[1] for part in parts) > _most:
         raise MeshError("the mesh has more than 2^32 - 2 halfedges")
+    _refuse_numbers_from_1(parts, len(points))
     return points, parts
+
+
+def _refuse_numbers_from_1(parts: List[np.ndarray], count: int) -> None:
+    """As those of MATLAB and of OBJ files are. What else is wrong with numbers is told by who uses them."""
+    filled = [part for part in parts if part.size > 0]
+    if filled and max(part.max() for part in filled) == count and min(part.min() for part in filled) == 1:
+        raise MeshError(
+            f"F names vertices 1 to {count}, of {count} that begin with 0: faces count from 1 here; subtract 1"
+        )
 
 
 def _refuse_shape(name: str, expected: str, array: np.ndarray) -> None:

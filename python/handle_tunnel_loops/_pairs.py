@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+import html
+from typing import Any, Dict, Iterable
 
 import numpy as np
 
@@ -89,3 +90,30 @@ def table_of(L: Any, diagonal: float, bores: Dict[str, np.ndarray]) -> PairTable
             *(bores["centres"][i] if is_bore else no_bore),
         )
     return table[np.argsort(table["size"], kind="stable")].view(PairTable)
+
+
+_shown = ("pair", "handle_length", "tunnel_length", "size", "handle_bounds", "tunnel_bounds", "diameter", "diameter_of")
+_most_shown = 20
+
+
+def html_table(title: str, table: PairTable) -> str:
+    """The first rows, and how many more there are."""
+    rest = len(table) - _most_shown
+    return "\n".join(
+        [
+            f"<p>{html.escape(title)}</p>",
+            "<table>",
+            _html_row("th", (name.replace("_", " ") for name in _shown)),
+            *(_html_row("td", map(_text_of, (row[name] for name in _shown))) for row in table[:_most_shown]),
+            "</table>",
+            *([f"<p>and {rest} more</p>"] if rest > 0 else []),
+        ]
+    )
+
+
+def _html_row(kind: str, cells: Iterable[str]) -> str:
+    return "<tr>" + "".join(f"<{kind}>{html.escape(cell)}</{kind}>" for cell in cells) + "</tr>"
+
+
+def _text_of(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)

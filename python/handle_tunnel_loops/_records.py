@@ -22,15 +22,15 @@ class Record(Dict[str, Any]):
 
 
 class Comparable:
-    """Answers are equal if all in them is: arrays number by number, where NaN equals NaN."""
+    """Answers are equal if all in them is: arrays number by number, where NaN equals NaN.
+
+    Those that may be changed have no hash, as Python has it; the others say what theirs is of.
+    """
 
     def __eq__(self, other: object) -> Any:
         if type(self) is not type(other):
             return NotImplemented
         return _are_same(self._content(), other._content())  # type: ignore[attr-defined]
-
-    # Arrays in them may be changed, so that there is no number to find them by.
-    __hash__ = None  # type: ignore[assignment]
 
     def _content(self) -> Dict[str, Any]:
         return dict(vars(self))

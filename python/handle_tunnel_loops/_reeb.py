@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Optional, Sequence, Union
+from typing import Any, Dict, List, Literal, Optional, Sequence, Union, get_args
 
 import numpy as np
 
@@ -13,8 +13,8 @@ from ._meshes import arrays
 from ._records import Comparable
 from ._waiting import computed
 
-_measures = ("limbs", "persistence", "length", "area", "vertices")
-_drawings = ("means", "inside")
+Measure = Literal["limbs", "persistence", "length", "area", "vertices"]
+Drawing = Literal["means", "inside"]
 
 
 class ReebGraph(Comparable):
@@ -141,10 +141,10 @@ def reeb(
     F: Any = None,
     f: Any = None,
     simplify: Optional[float] = None,
-    measure: Optional[str] = None,
+    measure: Optional[Measure] = None,
     *,
     shortest_arc: float = 0.0,
-    drawing: str = "means",
+    drawing: Drawing = "means",
     sources: Sequence[int] = (),
     threads: Optional[int] = 0,
     progress: Any = None,
@@ -187,9 +187,9 @@ def reeb(
             triangles,
             f,
             real_or_none("simplify", simplify),
-            None if measure is None else word("measure", measure, _measures),
+            None if measure is None else word("measure", measure, get_args(Measure)),
             shortest,
-            word("drawing", drawing, _drawings) == "inside",
+            word("drawing", drawing, get_args(Drawing)) == "inside",
             starts,
             threads_of(threads),
         )

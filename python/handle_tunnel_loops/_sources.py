@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Literal, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 
@@ -19,7 +19,7 @@ _options = {
     " (--format says which one it is whatever its name)": "",
 }
 
-_repair_steps = ["degenerate", "weld", "duplicates", "one-sided", "pillows", "orient", "split"]
+RepairStep = Literal["degenerate", "weld", "duplicates", "one-sided", "pillows", "orient", "split"]
 
 
 def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
@@ -76,7 +76,7 @@ def _in_words_of_python(message: str, name: str) -> str:
 
 
 def repair(
-    V: Any, F: Any = None, *, steps: Optional[Iterable[str]] = None
+    V: Any, F: Any = None, *, steps: Optional[Iterable[RepairStep]] = None
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]:
     """A surface from arrays that are none: faces of any size, corners that share no vertex, and so on.
 
@@ -92,7 +92,7 @@ def repair(
     an object with cells, the triangles count before the quads.
     Raises MeshError if no surface can be made of it.
     """
-    names = None if steps is None else [word("steps", step, _repair_steps) for step in steps]
+    names = None if steps is None else [word("steps", step, get_args(RepairStep)) for step in steps]
     return computed("repair", None, _repair, *soup(V, F), names)
 
 

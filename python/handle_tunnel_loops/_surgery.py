@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 
 from . import _core
-from ._arguments import numbers, real_or_none, threads_of, vertices, whole, wholes, word
+from ._arguments import length_or_none, numbers, real_or_none, threads_of, vertices, whole, wholes, word
 from ._loops import Loop, Loops, _loops_of, record_of
 from ._loops import loops as loops_of_mesh
 from ._meshes import arrays
@@ -16,8 +16,10 @@ from ._progress import part, told
 from ._records import Comparable
 from ._waiting import computed
 
+Way = Literal["cut", "fill", "smallest-change", "cheapest"]
 
-_ways = ("cut", "fill", "smallest-change", "cheapest")
+# Numbers, or such as "3%".
+Length = Union[float, str]
 
 
 def remove_handles(
@@ -25,12 +27,12 @@ def remove_handles(
     F: Any = None,
     *,
     genus: Optional[int] = None,
-    shorter_than: Optional[float] = None,
-    pairs: Union[None, int, Sequence[int], Mapping[int, Optional[str]]] = None,
+    shorter_than: Optional[Length] = None,
+    pairs: Union[None, int, Sequence[int], Mapping[int, Optional[Way]]] = None,
     box: Any = None,
-    necks: Optional[float] = None,
+    necks: Optional[Length] = None,
     bores: Optional[Tuple[Optional[float], Optional[float]]] = None,
-    by: str = "smallest-change",
+    by: Way = "smallest-change",
     force: bool = False,
     loops: Optional[Loops] = None,
     threads: Optional[int] = 0,
@@ -42,7 +44,8 @@ def remove_handles(
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
     genus : the smallest handles go until so many are left
-    shorter_than : handles with a loop that is shorter, in the unit of the coordinates
+    shorter_than : handles with a loop that is shorter, in the unit of the coordinates, or as a share of the
+        diagonal of the box of the mesh: "3%"
     pairs : those of the pairs of these numbers, as in the table of ``loops``, which has to be given; as a
         mapping, each with a way of its own, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
@@ -72,14 +75,14 @@ def remove_handles(
     """
     methods = {}
     if isinstance(pairs, Mapping):
-        methods = {n: word("pairs", way, _ways) for n, way in pairs.items() if way is not None}
+        methods = {n: word("pairs", way, get_args(Way)) for n, way in pairs.items() if way is not None}
         pairs = list(pairs)
-    chosen = dict(
+    lengths = {"shorter_than": shorter_than, "necks": necks}
+    chosen: Dict[str, Any] = dict(
         genus=None if genus is None else whole("genus", genus),
-        shorter_than=real_or_none("shorter_than", shorter_than),
         pairs=None if pairs is None else wholes("pairs", pairs),
         box=None if box is None else _corners(box),
-        necks=real_or_none("necks", necks),
+        **{name: length_or_none(name, length) for name, length in lengths.items()},
         bores=None if bores is None else _range(bores),
     )
     given = [name for name, value in chosen.items() if value is not None]
@@ -87,7 +90,7 @@ def remove_handles(
         raise ValueError(f"{' and '.join(given)} cannot be given together")
     if pairs is not None and loops is None:
         raise ValueError("pairs are numbers of loops: give these, too")
-    chosen.update(by=word("by", by, _ways), methods=methods, force=bool(force))
+    chosen.update(by=word("by", by, get_args(Way)), methods=methods, force=bool(force))
     mesh, number = arrays(V, F), threads_of(threads)
     with told(progress, "remove") as callback:
         begin = 0.0
@@ -95,6 +98,8 @@ def remove_handles(
             begin = 0.8  # the most of the time
             loops = loops_of_mesh(*mesh, threads=number, progress=part(callback, 0, begin))
         record = record_of(loops, "loops")
+        for name, length in lengths.items():
+            chosen[name] = length_or_none(name, length, record["diagonal"])
         rest = part(callback, begin, 1)
         return computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
 

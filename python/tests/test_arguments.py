@@ -36,7 +36,13 @@ def test_threads(torus, call):
         ("reeb", dict(sources=[-1]), ValueError, "vertex -1 is not one of"),
         ("reeb", dict(f="height"), TypeError, "f has to be an array of real numbers"),
         ("remove_handles", dict(genus=1.5), TypeError, "genus has to be a whole number"),
-        ("remove_handles", dict(shorter_than="3%"), TypeError, "shorter_than has to be a number"),
+        ("remove_handles", dict(shorter_than="3"), ValueError, "shorter_than 3: not a length, such as 0.25, nor a perc"),
+        ("remove_handles", dict(shorter_than="a%"), ValueError, "shorter_than a%: not a length, .* of the diagonal"),
+        ("remove_handles", dict(shorter_than="nan%"), ValueError, "shorter_than nan%: not a length"),
+        ("remove_handles", dict(shorter_than="%"), ValueError, "shorter_than %: not a length"),
+        ("remove_handles", dict(necks="-1%"), ValueError, "necks -1%: not a length"),
+        ("remove_handles", dict(necks="300%"), ValueError, "necks 300% is more than the diagonal of the mesh's box"),
+        ("remove_handles", dict(necks=[1]), TypeError, "necks has to be a number"),
         ("remove_handles", dict(shorter_than=float("nan")), ValueError, "shorter_than cannot be nan"),
         ("remove_handles", dict(necks=-2), ValueError, "necks cannot be -2"),
         ("remove_handles", dict(by=1), TypeError, "by has to be a string"),
@@ -46,7 +52,11 @@ def test_threads(torus, call):
         ("cut_to_disk", dict(cones=[-3]), ValueError, "vertex -3 is not one of"),
         ("certify", dict(L=None), TypeError, "L has to be what loops.. returns"),
         ("html", dict(L=[1], path="a.html"), TypeError, "L has to be what loops.. returns"),
-        ("html", dict(L=None, path=None), TypeError, "PathLike"),
+        ("html", dict(L=None, path=None), TypeError, "L has to be what loops.. returns"),
+        ("html", dict(L="a.html"), TypeError, "L has to be what loops.. returns, not of type str"),
+        ("loops", dict(basis="shrt"), ValueError, "basis is 'pure' or 'shortest', not 'shrt'"),
+        ("reeb", dict(measure="limb"), ValueError, "'limbs' or 'persistence' or .* not 'limb'"),
+        ("remove_handles", dict(by="fil"), ValueError, "'cut' or 'fill' or 'smallest-change' or .*, not 'fil'"),
     ],
 )
 def test_what_is_refused(torus, function, arguments, error, message):
@@ -110,3 +120,21 @@ def test_names_of_files_are_no_meshes(tmp_path):
     for name in ("a.off", tmp_path / "a.off"):
         with pytest.raises(TypeError, match=r"read\(\) makes arrays of a file"):
             htl.loops(name)
+
+
+def test_a_page_needs_a_name(torus):
+    L = htl.loops(*torus)
+    for given in [(*torus, L), (torus, L)]:
+        with pytest.raises(TypeError, match=r"path, its name, is missing: html\(V, F, L, .loops.html.\)"):
+            htl.html(*given)
+
+
+@pytest.mark.parametrize("integer", ["i2", "u4", "i8"])
+def test_faces_that_count_from_1(torus, integer):
+    V, F = torus
+    message = f"F names vertices 1 to {len(V)}, .*: faces count from 1 here; subtract 1$"
+    for function in (htl.loops, htl.repair, htl.reeb):
+        with pytest.raises(htl.MeshError, match=message):
+            function(V, (F + 1).astype(integer))
+    with pytest.raises(htl.MeshError, match="names vertex"):  # some are wrong, for another reason
+        htl.loops(V, F + 2)

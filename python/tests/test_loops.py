@@ -119,6 +119,15 @@ def test_table(genus_3):
         assert np.all(np.isnan(row["bore_axis"]))
 
 
+def test_notebooks(genus_3):
+    L = htl.loops(*genus_3)
+    page = L._repr_html_()
+    assert page.count("<tr>") == 4 and "&lt;Loops: genus 3" in page and "<Loops" not in page
+    assert f"<td>{L.table()['size'][0]:.6g}</td>" in page and "more" not in page
+    many = htl.loops(*htl.generate("multi-torus", faces=9000, genus=23))._repr_html_()
+    assert many.count("<tr>") == 21 and "and 3 more" in many
+
+
 def test_bores():
     """A washer with sixteen sides, outside and inside."""
     turn = 2 * np.pi * np.arange(16)[:, None] / 16

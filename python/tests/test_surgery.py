@@ -133,3 +133,17 @@ def test_dual_cuts():
         np.add.at(ends, cut.edges[:, 0], -cut.times)
         assert set(np.flatnonzero(ends)) <= set(on_boundary)
         assert cut.edges.shape == (len(cut.times), 2) and len(cut.times) > 0
+
+
+def test_lengths_are_shares_of_the_diagonal(genus_3):
+    V, F = genus_3
+    L = htl.loops(V, F)
+    diagonal = np.linalg.norm(V.max(axis=0) - V.min(axis=0))
+    sizes = np.sort(L.table()["size"])
+    share = 100 * (sizes[0] + sizes[1]) / 2
+    by_share = htl.remove_handles(V, F, shorter_than=f"{share}%", loops=L)
+    by_length = htl.remove_handles(V, F, shorter_than=share / 100 * diagonal)
+    assert by_share[3]["genus_after"] == by_length[3]["genus_after"] == 2
+    assert np.array_equal(by_share[0], by_length[0]) and np.array_equal(by_share[1], by_length[1])
+    assert htl.remove_handles(V, F, necks=f"{share}%", loops=L)[3]["genus_after"] == 2
+    assert htl.remove_handles(V, F, shorter_than="0.001%", loops=L)[3]["removed"] == []
