@@ -11,8 +11,10 @@
 #include "functions.h"
 #include "watch.h"
 
+#include "app/failure.h"
 #include "app/mend/mending.h"
 #include "app/mend/mesh_reader.h"
+#include "app/write/mesh_writer.h"
 
 #include <pybind11/stl.h>
 
@@ -34,6 +36,33 @@ py::tuple read(const std::string& name,
                               {triangulate, repair})
         .mesh;
   }));
+}
+
+// They need not be a surface.
+CGAL::Handle_tunnel_loops::generators::Soup written_soup(const py::array& points,
+                                                         const py::array& triangles) {
+  const htloops::Soup soup = soup_of(points, {triangles});
+  CGAL::Handle_tunnel_loops::generators::Soup written;
+  for(const auto& p : soup.points)
+    written.points.push_back({p[0], p[1], p[2]});
+  for(const htloops::Soup_face& face : soup.faces)
+    written.triangles.push_back({face[0], face[1], face[2]});
+  return written;
+}
+
+void write(const std::string& file,
+           const py::array& points,
+           const py::array& triangles,
+           const Watch& watch) {
+  htloops::check_mesh_format(file);
+  const auto soup = written_soup(points, triangles);
+  compute(0, watch, [&] {
+    try {
+      htloops::write_mesh(file, soup);
+    } catch(const htloops::Failure& failure) { // of the file, as the name is right
+      throw htloops::Failure(htloops::Exit_code::UNREADABLE_FILE, failure.what());
+    }
+  });
 }
 
 // Nothing: all of them.
@@ -72,6 +101,7 @@ py::tuple repair(const py::array& points,
 
 void add_files(py::module_& module) {
   module.def("read", &read);
+  module.def("write", &write);
   module.def("repair", &repair, py::arg("points"), py::arg("faces"), py::arg("watch"),
              py::arg("steps") = py::none());
 }

@@ -32,9 +32,11 @@ Functions
     cut_to_disk     a mesh cut open along a short graph, for parametrization
     dual_cuts       for each loop, a cut that crosses it once, for circuits
     html            a page in which the mesh with its loops can be turned
+    picture         the same as a picture, if has_pictures is true of the build
     survey          a table of many meshes
     generate        a mesh to try things on
     read            the arrays of a mesh file
+    write           a mesh file
     repair          a surface from arrays that are none
 
 Errors: `MeshError` (a ValueError) names the faces or vertices that keep arrays from being a surface, and
@@ -44,12 +46,13 @@ is told the fraction that is done and stops the computation by returning False (
 raised). ``threads`` is how many a call takes at most, whatever others take at the same time.
 """
 
-from ._core import Interrupted, MeshError, version as _version
+from ._core import Interrupted, MeshError, has_pictures, version as _version
 from ._loops import Certificate, Loop, Loops, certify, html, loops
 from ._measures import Balls, Measures, RemovalCosts, Way, measure, removal_costs
+from ._pictures import picture
 from ._reeb import ReebGraph, reeb
 from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
-from ._sources import generate, kinds, read, repair
+from ._sources import generate, kinds, read, repair, write
 from ._surgery import DualCut, cut_to_disk, dual_cuts, remove_handles
 from ._survey import survey
 from ._throats import Throat, throats
@@ -76,10 +79,12 @@ __all__ = [
     "cut_to_disk",
     "dual_cuts",
     "generate",
+    "has_pictures",
     "html",
     "kinds",
     "loops",
     "measure",
+    "picture",
     "read",
     "reeb",
     "removal_costs",
@@ -87,4 +92,5 @@ __all__ = [
     "repair",
     "survey",
     "throats",
+    "write",
 ]

@@ -19,7 +19,10 @@ class Watch:
     @property
     def fraction(self) -> float: ...
 
+has_pictures: bool
+
 def read(name: str, content: bytes, triangulate: bool, repair: bool, watch: Watch) -> _Mesh: ...
+def write(file: str, points: np.ndarray, triangles: np.ndarray, watch: Watch) -> None: ...
 def repair(
     points: np.ndarray,
     faces: Sequence[np.ndarray],
@@ -63,6 +66,14 @@ def removal_costs(
 def page(
     points: np.ndarray, triangles: np.ndarray, loops: _Record, title: str, watch: Watch
 ) -> bytes: ...
+def picture(
+    file: str,
+    points: np.ndarray,
+    triangles: np.ndarray,
+    loops: _Record,
+    size: Sequence[float],
+    watch: Watch,
+) -> None: ...
 def reeb(
     points: np.ndarray,
     triangles: np.ndarray,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
+import weakref
 from dataclasses import dataclass, fields
 from typing import Any, Dict, List, Literal, Optional, Sequence, Tuple, get_args
 
@@ -99,6 +100,9 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
     It is made of arrays and can be pickled. Two are equal if all in them is, but for the times that they took.
     """
 
+    # Weak references to the arrays that it was found on, which are the caller's.
+    _mesh: Tuple[Any, Any] = (None, None)
+
     def __init__(self, record: Dict[str, Any]):
         self._record = record
         record = self._whole_record()
@@ -148,7 +152,7 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
 
     def _content(self) -> Dict[str, Any]:
         record = {key: part for key, part in self._record.items() if key != "seconds"}
-        return {**super()._content(), "_record": record, "seconds": None}
+        return {**self.__getstate__(), "_record": record, "seconds": None}
 
     def __repr__(self) -> str:
         return f"<Loops: genus {self.genus}, basis {self.basis!r}, {len(self.boundaries)} boundary curves>"
@@ -181,8 +185,15 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         return table_of(self, record["diagonal"], record["bores"])
 
     def _repr_html_(self) -> str:
-        """The table, for notebooks."""
-        return html_table(repr(self), self.table())
+        """The table, for notebooks, below a picture while the arrays of the mesh are there."""
+        from ._pictures import html_picture  # which is about loops
+
+        V, F = (None if array is None else array() for array in self._mesh)
+        shown = "" if V is None or F is None else html_picture(V, F, self)
+        return shown + html_table(repr(self), self.table())
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {name: part for name, part in vars(self).items() if name != "_mesh"}
 
     def columns(self) -> Dict[str, np.ndarray]:
         """The same as a dictionary of the columns."""
@@ -221,7 +232,7 @@ def loops(
     memory is about 150 bytes a face besides the arrays.
     """
     points, triangles = arrays(V, F)
-    return Loops(
+    L = Loops(
         computed(
             "loops",
             progress,
@@ -236,6 +247,8 @@ def loops(
             real_or_none("time_budget", time_budget),
         )
     )
+    L._mesh = weakref.ref(points), weakref.ref(triangles)
+    return L
 
 
 def record_of(L: Any, name: str = "L") -> Dict[str, Any]:

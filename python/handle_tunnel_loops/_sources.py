@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import whole, word
-from ._meshes import soup
+from ._meshes import arrays, soup
 from ._waiting import computed
 
 # What the compiled part says of options of the program, and what they are here.
@@ -46,7 +46,7 @@ def read(
     repair: bool = False,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray]:
-    """The arrays V, float64, and F, int64, of a mesh file: .off, .obj, .ply or .stl.
+    """The arrays V, float64, and F, int64, of a mesh file, of any format that ``htloops loops`` reads.
 
     triangulate cuts faces into triangles, convex or not; repair welds points, drops what is double or
     without area, splits what is no manifold, and orients faces alike. Vertices of the file keep their
@@ -66,6 +66,19 @@ def _read(
         return _core.read(name, content, triangulate, repair, watch)
     except (OSError, ValueError) as error:
         raise type(error)(_in_words_of_python(str(error), name)) from None
+
+
+def write(path: "Union[str, bytes, os.PathLike[str]]", V: Any, F: Any = None) -> None:
+    """Writes a mesh in the format that the end of the name tells; others are refused, with those that there are.
+
+    ``write(path, mesh)`` takes one mesh object. It need not be a surface. Numbers read back as exactly
+    themselves where the format has as many digits: .stl, .glb, .gii and surfaces of FreeSurfer are of single
+    precision. Raises OSError if the file cannot be written.
+    """
+    name = os.fsdecode(path)
+    if name == "-":
+        raise ValueError("path is the name of a file, which - is not here")
+    computed("write", None, _core.write, name, *arrays(V, F))
 
 
 def _in_words_of_python(message: str, name: str) -> str:

@@ -234,7 +234,7 @@ def test_messages_are_in_words_of_python(torus, tmp_path):
     for name, words in [
         ("--repair.off", r"--repair.off: .*; triangulate=True makes it triangles$"),
         ("turned.off", r"; repair=True mends this:\n  1 face turned over: face 0$"),
-        ("mesh.txt", r"\.off \.obj \.ply \.stl$"),
+        ("mesh.txt", r"not supported; those that are: \.off \.obj \.ply \.stl .*\.vtp"),
     ]:
         with pytest.raises((ValueError, OSError), match=words):
             htl.read(tmp_path / name)

@@ -124,6 +124,12 @@ def test_notebooks(genus_3):
     page = L._repr_html_()
     assert page.count("<tr>") == 4 and "&lt;Loops: genus 3" in page and "<Loops" not in page
     assert f"<td>{L.table()['size'][0]:.6g}</td>" in page and "more" not in page
+    assert ("<img" in page) == htl.has_pictures
+    assert "<img" not in pickle.loads(pickle.dumps(L))._repr_html_()  # it does not keep the mesh
+    V, F = (array.copy() for array in genus_3)
+    L = htl.loops(V, F)
+    V += 1  # no mesh of these loops any more
+    assert "<img" not in L._repr_html_() and "<table>" in L._repr_html_()
     many = htl.loops(*htl.generate("multi-torus", faces=9000, genus=23))._repr_html_()
     assert many.count("<tr>") == 21 and "and 3 more" in many
 
