@@ -9,16 +9,6 @@ foreach(script IN ITEMS batch_end_to_end check_end_to_end end_to_end files_end_t
   set_tests_properties(htloops_${script} PROPERTIES LABELS tool TIMEOUT ${HTL_TEST_TIME_LIMIT})
 endforeach()
 
-# What other programs say of files of the tool; skipped where they are not.
-foreach(script IN ITEMS cut_in_blender cut_in_gmsh cut_in_vtk)
-  add_test(NAME htloops_${script}
-    COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
-      "-DFOLDER=${CMAKE_CURRENT_BINARY_DIR}/htloops_${script}"
-      -P "${CMAKE_CURRENT_LIST_DIR}/${script}.cmake")
-  set_tests_properties(htloops_${script} PROPERTIES
-    LABELS "tool;judged" TIMEOUT ${HTL_TEST_TIME_LIMIT} SKIP_REGULAR_EXPRESSION "SKIPPED")
-endforeach()
-
 # The meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one: an
 # eighth of them, and with the label "long" all.
 function(_htl_add_corpus_test name part parts)

@@ -88,12 +88,16 @@ def nibabel():
     return pytest.importorskip("nibabel", reason="nibabel is not installed")
 
 
-def _python_of_system(module, script, *arguments):
-    """Runs a script with the interpreter that has Debian's modules."""
-    for python in ("/usr/bin/python3", shutil.which("python3")):
+def python_with(module, *others):
+    """An interpreter that has a module: one with those of Debian, or one of some programs."""
+    for python in ("/usr/bin/python3", shutil.which("python3"), *map(shutil.which, others)):
         if python and subprocess.run([python, "-c", f"import {module}"], capture_output=True, check=False).returncode == 0:
-            return _marked(_output([python, "-c", script, *map(str, arguments)]))
+            return python
     return pytest.skip(f"the module {module} of Python is not installed")
+
+
+def _python_of_system(module, script, *arguments):
+    return _marked(_output([python_with(module), "-c", script, *map(str, arguments)]))
 
 
 _GMSH = """
@@ -168,12 +172,27 @@ def say(**words):
 """
 
 
+def _blender(*words):
+    return [_program("blender"), "-b", "--factory-startup", "--python-exit-code", "1", *map(str, words)]
+
+
 def blender(script, *arguments):
     """Runs a script in Blender without a window; `load(file)` imports one, `say(...)` is the answer."""
-    program = _program("blender")
-    environment = {**os.environ, "PYTHONPATH": ""}
-    return _marked(_output([program, "-b", "--factory-startup", "--python-exit-code", "1", "--python-expr",
-                            _BLENDER + script, "--", *map(str, arguments)], env=environment))
+    return _marked(_output(_blender("--python-expr", _BLENDER + script, "--", *arguments),
+                           env={**os.environ, "PYTHONPATH": ""}))
+
+
+def program_in_blender(program, *arguments, folder=None, code=0):
+    """Runs a program in Blender beside the cube that it begins with: its output."""
+    done = subprocess.run(_blender("--python", program, "--", *arguments), cwd=folder, capture_output=True, text=True,
+                          timeout=300, check=False)
+    assert done.returncode == code, f"{program}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
+    return done.stdout + done.stderr
+
+
+def script_says(python, script, *arguments, folder=None):
+    """The output of a script beside this file, which has to be content."""
+    return _output([python, str(pathlib.Path(__file__).parent / script), *map(str, arguments)], cwd=folder)
 
 
 def imported_by_blender(file):
