@@ -83,6 +83,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   write/meshes/gifti_writer.cpp
   write/meshes/glb_writer.cpp
   write/meshes/msh_writer.cpp
+  write/meshes/single_precision.cpp
   write/meshes/stl_writer.cpp
   write/meshes/text_writers.cpp
   write/meshes/three_mf_writer.cpp

@@ -11,6 +11,7 @@
 #define HTL_WINDOW_BASE64_H
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -39,10 +40,22 @@ inline std::string base64_of(std::string_view bytes) {
   return text;
 }
 
+/// the value of each character as a digit; 64 of those that are none.
+constexpr std::array<unsigned char, 256> base64_values() {
+  std::array<unsigned char, 256> values{};
+  for(unsigned char& value : values)
+    value = 64;
+  for(std::size_t digit = 0; digit < base64_digits.size(); ++digit)
+    values[static_cast<unsigned char>(base64_digits[digit])] = static_cast<unsigned char>(digit);
+  return values;
+}
+
 /// the bytes of a text, of several ones after each other, too; what is none of these characters is
 /// passed over.
 inline std::string bytes_of_base64(std::string_view text) {
+  static constexpr std::array<unsigned char, 256> values = base64_values();
   std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
   std::uint32_t bits = 0;
   int number = 0; // of bits
   for(const char c : text) {
@@ -50,10 +63,10 @@ inline std::string bytes_of_base64(std::string_view text) {
       bits = 0;
       number = 0;
     }
-    const std::size_t digit = base64_digits.find(c);
-    if(digit == std::string_view::npos)
+    const std::uint32_t digit = values[static_cast<unsigned char>(c)];
+    if(digit == 64)
       continue;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    bits = bits << 6 | digit;
     number += 6;
     if(number >= 8) {
       number -= 8;

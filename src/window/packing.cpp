@@ -77,8 +77,12 @@ std::optional<std::string> inflated(std::string_view bytes, Frame frame) {
   while(stream.avail_in > 0 || !bytes.empty()) {
     if(stream.avail_in == 0)
       hand_over(stream, bytes);
-    if(state == Z_STREAM_END) // there is another one
+    if(state == Z_STREAM_END) { // there is another one, or what fills up a block
+      const std::string_view rest(reinterpret_cast<const char*>(stream.next_in), stream.avail_in);
+      if(rest.find_first_not_of('\0') == rest.npos)
+        break;
       inflateReset(&stream);
+    }
     state = add_step(stream, result, [&] { return inflate(&stream, Z_NO_FLUSH); });
     if(state != Z_OK && state != Z_STREAM_END)
       return std::nullopt;

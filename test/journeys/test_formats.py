@@ -77,13 +77,37 @@ def test_binary_stl_has_fifty_bytes_a_face(tool, mesh, two_tori):
 
 
 def test_binary_stl_refuses_to_let_points_fall_together(tool):
-    points, quads = torus(shift=(1e9, 0, 0))
-    write_off(tool.folder / "far.off", points, triangles_of(quads))
-    said = tool.run("repair", "far.off", "-o", "far.stl", "-q", code=2).stderr
+    points, quads = torus()
+    points[1] = (points[0][0] + 1e-9, *points[0][1:])
+    write_off(tool.folder / "near.off", points, triangles_of(quads))
+    said = tool.run("repair", "near.off", "-o", "near.stl", "-q", code=2).stderr
     assert "would fall together" in said and ".ascii.stl" in said
-    assert not (tool.folder / "far.stl").exists()
-    tool.run("repair", "far.off", "-o", "far.ascii.stl", "-q")
-    assert tool.facts("far.ascii.stl")["genus"] == 1
+    assert not (tool.folder / "near.stl").exists()
+    tool.run("repair", "near.off", "-o", "near.ascii.stl", "-q")
+    assert tool.facts("near.ascii.stl")["genus"] == 1
+
+
+@pytest.mark.parametrize("ending", ["stl", "glb", "gii", "surf"])
+@pytest.mark.parametrize("shift, scale", [(1e9, 1.0), (0.0, 1e39), (0.0, 1e-60)])
+def test_single_precision_is_refused_where_it_has_no_room(tool, ending, shift, scale):
+    points, quads = torus()
+    write_off(tool.folder / "mesh.off", [(scale * x + shift, scale * y, scale * z) for x, y, z in points],
+              triangles_of(quads))
+    assert "single precision" in tool.run("repair", "mesh.off", "-o", f"mesh.{ending}", "-q", code=2).stderr
+    assert not (tool.folder / f"mesh.{ending}").exists()
+    tool.run("repair", "mesh.off", "-o", "mesh.3mf", "-q")
+
+
+def test_units_are_converted_where_a_format_has_one_of_its_own(tool):
+    points, quads = torus()
+    (tool.folder / "meters.glb").write_bytes(glb(*scene_of_two_nodes(points, triangles_of(quads))))
+    length = tool.facts("meters.glb")["pairs"][0]["handle"]
+    assert "meter" in tool.run("loops", "meters.glb").stdout
+    for ending, factor in (("gii", 1000), ("surf", 1000), ("3mf", 1), ("glb", 1)):
+        tool.run("repair", "meters.glb", "-o", f"copy.{ending}", "-q")
+        facts = tool.facts(f"copy.{ending}")
+        assert facts["pairs"][0]["handle"] == pytest.approx(factor * length, rel=1e-5)
+        assert facts["unit"] == ("millimeter" if factor == 1000 else "meter")
 
 
 # ---- glTF
@@ -306,6 +330,31 @@ def test_what_vtk_packs_otherwise_is_refused_by_name(tool):
 
 
 # ---- bad files
+
+
+def vtk_file(polys, points="0 0 0 1 0 0 0 1 0", count=3, offsets="3"):
+    return f"""<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="{count}"><Points>
+<DataArray type="Float64" NumberOfComponents="3" format="ascii">{points}</DataArray></Points><Polys>
+<DataArray type="Int64" Name="connectivity" format="ascii">{polys}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">{offsets}</DataArray></Polys></Piece></PolyData></VTKFile>"""
+
+
+@pytest.mark.parametrize("name, content, words", [
+    ("deep.vtp", "<VTKFile>" + "<a><!--</a>-->" * 20000 + "</a>" * 20000 + "</VTKFile>", "nested too deep"),
+    ("quoted.gii", '<a b="/>">' * 20000, "nested too deep"),
+    ("open.vtp", "<!" * 1000000, "it is not XML"),
+    ("few.vtp", vtk_file("0 1 2", count=4), "not as many points"),
+    ("odd.vtp", vtk_file("0 1 2", "0 0 0 1 0 0 0 1"), "not as many points"),
+    ("long.vtp", vtk_file("0 1 2 0"), "fewer points than there are"),
+    ("short.vtp", vtk_file("0 1"), "more points than there are"),
+    ("beyond.vtp", vtk_file("0 1 7"), "a point that is not there"),
+    ("lines.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n", "expected $EndNodes"),
+    ("none.msh", "", "does not begin with $MeshFormat"),
+], ids=lambda value: value[:12])
+def test_what_contradicts_itself_is_refused(tool, name, content, words):
+    (tool.folder / name).write_text(content)
+    assert words in tool.run("loops", name, "-o", "answer.json", code=3).stderr
+    assert not (tool.folder / "answer.json").exists()
 
 
 ENDINGS = ["off", "ply", "stl", "glb", "3mf", "gii", "surf", "vtp", "binary.vtu", "msh", "msh2", "off.gz"]

@@ -82,3 +82,11 @@ def test_two_sheets_are_not_pressed_together(tool):
     write_off(tool.folder / "sheet.off", points, [(0, 1, 2), (1, 3, 2)])
     tool.run("repair", "sheet.off", "--weld", "0.9", "-o", "same.off", "-q")
     assert read_off(tool.folder / "same.off")[1] == [(0, 1, 2), (1, 3, 2)]
+
+
+def test_a_stray_vertex_makes_nothing_near(tool):
+    """The length is of the boundary's box, and finding what is near takes no time that grows with its square."""
+    points, quads = torus()
+    corners, triangles = torn(points, triangles_of(quads), 1e-3)
+    write_off(tool.folder / "stray.off", corners + [(1e6, 0, 0)], triangles)
+    assert "nearly welded" not in tool.run("loops", "stray.off").stderr

@@ -10,6 +10,7 @@
 #include "mend/near_points.h"
 
 #include "failure.h"
+#include "interrupt.h"
 #include "mend/steps.h"
 #include "words.h"
 
@@ -44,8 +45,14 @@ class Places
 public:
   Places(const std::vector<Point>& points, const std::vector<std::uint64_t>& edges, double length)
       : points_(points)
-      , edges_(edges)
-      , length_(length) {}
+      , length_(length) {
+    for(const std::uint64_t edge : edges) {
+      const auto u = edge >> 32, v = edge & 0xffffffffu;
+      directed_edges_.push_back(edge);
+      directed_edges_.push_back(v << 32 | u);
+    }
+    std::sort(directed_edges_.begin(), directed_edges_.end());
+  }
 
   std::uint32_t place_of(std::uint32_t v) {
     const Cell own = cell_of(points_[v]);
@@ -67,7 +74,7 @@ public:
     });
     if(best == v)
       places_in_[own].push_back(v);
-    at_[best].push_back(v);
+    place_at_[v] = best;
     return best;
   }
 
@@ -84,18 +91,24 @@ private:
           visit(Cell{cell[0] + i, cell[1] + j, cell[2] + k});
   }
 
+  // Whether a neighbour lies there.
   bool has_edge_to(std::uint32_t place, std::uint32_t v) const {
-    const std::vector<std::uint32_t>& members = at_.at(place);
-    return std::any_of(members.begin(), members.end(), [&](std::uint32_t member) {
-      return std::binary_search(edges_.begin(), edges_.end(), edge_key(member, v));
-    });
+    const std::uint64_t first = std::uint64_t(v) << 32;
+    for(auto edge = std::lower_bound(directed_edges_.begin(), directed_edges_.end(), first);
+        edge != directed_edges_.end() && *edge >> 32 == v; ++edge)
+    {
+      const auto found = place_at_.find(static_cast<std::uint32_t>(*edge));
+      if(found != place_at_.end() && found->second == place)
+        return true;
+    }
+    return false;
   }
 
   const std::vector<Point>& points_;
-  const std::vector<std::uint64_t>& edges_;
+  std::vector<std::uint64_t> directed_edges_; // from the upper half to the lower one
   const double length_;
   std::unordered_map<Cell, std::vector<std::uint32_t>, boost::hash<Cell>> places_in_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> at_; // what lies at a place
+  std::unordered_map<std::uint32_t, std::uint32_t> place_at_; // by vertex
 };
 
 // The sides of all faces, once for each of these.
@@ -178,8 +191,10 @@ std::vector<std::uint32_t> nearest_before(const std::vector<Point>& points,
                                           double length) {
   Places places(points, edges, length);
   std::vector<std::uint32_t> nearest;
-  for(const std::uint32_t v : vertices)
+  for(const std::uint32_t v : vertices) {
+    throw_if_interrupted();
     nearest.push_back(is_finite(points[v]) ? places.place_of(v) : v);
+  }
   return nearest;
 }
 
@@ -241,7 +256,9 @@ Near_boundary near_boundary_of(const Mesh& mesh) {
   std::sort(edges.begin(), edges.end());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  CGAL::Bbox_3 box;
+  for(const std::uint32_t v : vertices)
+    box += mesh.points().begin()[v].bbox();
   const double diagonal = std::sqrt(squared_distance(Point(box.xmin(), box.ymin(), box.zmin()),
                                                      Point(box.xmax(), box.ymax(), box.zmax())));
   if(!(diagonal > 0.) || !std::isfinite(diagonal))

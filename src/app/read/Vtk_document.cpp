@@ -113,7 +113,7 @@ std::string Vtk_document::bytes_of(const Xml_tree& array) const {
     fail("it has an array in the unknown format " + in_quotes(format));
   const auto offset = array.get_optional<std::size_t>("<xmlattr>.offset");
   if(!offset || *offset >= appended_.size())
-    fail("it has an array that begins behind the end of the file");
+    fail("it has an array that starts beyond the end of the file");
   const std::string_view rest = appended_.substr(*offset);
   return is_appended_encoded_ ? unpacked(decoded_from_appended(rest)) : unpacked(rest);
 }
@@ -180,19 +180,33 @@ std::string Vtk_document::unpacked(std::string_view bytes) const {
   return all;
 }
 
-Vtk_document::Cells
-Vtk_document::cells(const Xml_tree& piece, const std::string& section, std::size_t first) const {
-  const Numbers points = array(piece, section, "connectivity");
+Vtk_document::Numbers Vtk_document::points(const Xml_tree& piece) const {
+  Numbers x = array(piece, "Points", "");
+  const auto announced = piece.get_optional<std::size_t>("<xmlattr>.NumberOfPoints");
+  if(x.size() % 3 != 0 || (announced && x.size() / 3 != *announced))
+    fail("a piece has not as many points, of three coordinates, as it says");
+  return x;
+}
+
+Vtk_document::Cells Vtk_document::cells(const Xml_tree& piece,
+                                        const std::string& section,
+                                        std::size_t first,
+                                        std::size_t number_of_points) const {
+  const Numbers numbers = array(piece, section, "connectivity");
   Cells cells;
   std::size_t begin = 0;
   for(const double end : array(piece, section, "offsets")) {
     cells.emplace_back();
-    for(; static_cast<double>(begin) < end && begin < points.size(); ++begin) {
-      if(!(points[begin] >= 0. && points[begin] < 1e15))
+    if(!(end >= static_cast<double>(begin) && end <= static_cast<double>(numbers.size())))
+      fail("cell " + std::to_string(cells.size() - 1) + " has more points than there are");
+    for(; static_cast<double>(begin) < end; ++begin) {
+      if(!(numbers[begin] >= 0. && numbers[begin] < static_cast<double>(number_of_points)))
         fail("cell " + std::to_string(cells.size() - 1) + " has a point that is not there");
-      cells.back().push_back(first + static_cast<std::size_t>(points[begin]));
+      cells.back().push_back(first + static_cast<std::size_t>(numbers[begin]));
     }
   }
+  if(begin != numbers.size())
+    fail("its cells have fewer points than there are");
   return cells;
 }
 

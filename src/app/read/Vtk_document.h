@@ -46,8 +46,16 @@ public:
   /// an array of a section of a piece, the first one if there is no name; empty if there is none.
   Numbers array(const Xml_tree& piece, const std::string& section, const std::string& name) const;
 
-  /// the cells of a section, whose points are counted on from `first`.
-  Cells cells(const Xml_tree& piece, const std::string& section, std::size_t first) const;
+  /// the coordinates of the points of a piece, three of each. Throws `Failure` if there are not as
+  /// many as it says.
+  Numbers points(const Xml_tree& piece) const;
+
+  /// the cells of a section of a piece of so many points, which are counted on from `first`. Throws
+  /// `Failure` if a cell has a point that is not there, or if points are left over.
+  Cells cells(const Xml_tree& piece,
+              const std::string& section,
+              std::size_t first,
+              std::size_t number_of_points) const;
 
 private:
   using Read_number = bool (*)(Binary_source&, double&);

@@ -52,7 +52,7 @@ Zip_content::Zip_content(const Input_file& archive)
 }
 
 void Zip_content::fail(const std::string& problem) const {
-  fail_to_read(archive_.name(), "as an archive of ZIP, " + problem);
+  fail_to_read(archive_.name(), "as a ZIP archive, " + problem);
 }
 
 template <typename Number> Number Zip_content::number_at(std::size_t position) const {
@@ -68,7 +68,7 @@ template <typename Number> Number Zip_content::number_at(std::size_t position) c
 std::size_t Zip_content::end_record() const {
   const std::size_t end = archive_.content().rfind(std::string_view("PK\5\6", 4));
   if(end == std::string_view::npos)
-    fail("it is none, or is cut off");
+    fail("it is not one, or it is cut off");
   return end;
 }
 

@@ -74,8 +74,7 @@ Input_file::Input_file(std::string name, const std::string& format)
 }
 
 void Input_file::set_content(std::string content) {
-  is_packed_ = content.compare(0, 2, "\x1F\x8B") == 0;
-  if(is_packed_) {
+  if(content.compare(0, 2, "\x1F\x8B") == 0) {
     std::optional<std::string> unpacked = htl_window::inflated(content);
     if(!unpacked)
       fail_to_read(name_, "it was packed by gzip, and is broken or cut off");
@@ -88,7 +87,7 @@ bool Input_file::is_of_format(std::string_view extension) const {
   if(!format_.empty())
     return format_ == extension;
   std::string_view name = name_;
-  if(is_packed_ && boost::algorithm::iends_with(name, ".gz"))
+  if(boost::algorithm::iends_with(name, ".gz"))
     name.remove_suffix(3);
   return boost::algorithm::iends_with(name, extension);
 }

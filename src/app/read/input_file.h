@@ -60,7 +60,6 @@ private:
 
   std::string name_, path_;
   std::string format_; // with the dot; empty if the name tells
-  bool is_packed_ = false;
   std::shared_ptr<const std::string> content_;
 };
 

@@ -54,6 +54,7 @@ std::vector<std::string> fitting(const std::string& pattern) {
   if(glob(pattern.c_str(), 0, nullptr, &found) == 0)
     files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
+  files.erase(std::remove_if(files.begin(), files.end(), is_folder), files.end());
 #else
   (void)pattern;
 #endif

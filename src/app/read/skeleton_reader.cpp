@@ -314,7 +314,8 @@ private:
     const auto array = [&](const char* section, const char* name) {
       return document_.array(piece, section, name);
     };
-    const Vtk_document::Numbers points = array("Points", ""), inlets = array("PointData", "Inlet"),
+    const Vtk_document::Numbers points = document_.points(piece),
+                                inlets = array("PointData", "Inlet"),
                                 components = array("CellData", "Component");
     const std::size_t first = lines_.number_of_points(), n = points.size() / 3;
     for(std::size_t i = 0; i < n; ++i) {
@@ -323,8 +324,8 @@ private:
       if(inlets.size() == n)
         lines_.set_inlet(p, inlets[i] != 0.);
     }
-    Vtk_document::Cells all = document_.cells(piece, "Verts", first),
-                        more = document_.cells(piece, "Lines", first);
+    Vtk_document::Cells all = document_.cells(piece, "Verts", first, n),
+                        more = document_.cells(piece, "Lines", first, n);
     all.insert(all.end(), more.begin(), more.end());
     for(std::size_t c = 0; c < all.size(); ++c) {
       lines_.add_line(all[c]);

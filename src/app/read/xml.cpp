@@ -20,17 +20,44 @@
 namespace htloops {
 namespace {
 
+// Behind the end of a tag that begins somewhere, over what is in quotes; the end of the document if
+// it does not end.
+std::size_t end_of_tag(std::string_view document, std::size_t at) {
+  char quote = 0;
+  for(; at < document.size(); ++at) {
+    const char c = document[at];
+    if(quote != 0)
+      quote = c == quote ? char(0) : quote;
+    else if(c == '"' || c == '\'')
+      quote = c;
+    else if(c == '>')
+      return at + 1;
+  }
+  return at;
+}
+
 // The parser calls itself for each element within another one.
 bool is_too_deep(std::string_view document) {
   constexpr std::size_t deepest = 1000;
   std::size_t depth = 0;
-  for(std::size_t i = document.find('<'); i != document.npos; i = document.find('<', i + 1)) {
-    const std::string_view mark = document.substr(i + 1, 1);
-    const std::size_t end = (std::min)(document.find('>', i), document.size());
-    if(mark == "/")
+  const auto begins = [&](std::size_t at, std::string_view mark) {
+    return document.substr(at, mark.size()) == mark;
+  };
+  for(std::size_t at = document.find('<'); at < document.size(); at = document.find('<', at)) {
+    if(begins(at, "<!--"))
+      at = document.find("-->", at);
+    else if(begins(at, "<![CDATA["))
+      at = document.find("]]>", at);
+    else if(begins(at, "</")) {
       depth -= depth > 0 ? 1 : 0;
-    else if(mark != "!" && mark != "?" && document[end - 1] != '/' && ++depth > deepest)
-      return true;
+      ++at;
+    } else if(begins(at, "<!") || begins(at, "<?"))
+      ++at;
+    else {
+      at = end_of_tag(document, at);
+      if(!(at >= 2 && document[at - 2] == '/') && ++depth > deepest)
+        return true;
+    }
   }
   return false;
 }

@@ -20,12 +20,14 @@ namespace {
 using Channels = std::vector<Channel>;
 
 void check_room(const Point& p, double radius) {
-  constexpr double most = 9999., widest = 999.;
-  const bool has_room =
-      std::abs(p.x()) < most && std::abs(p.y()) < most && std::abs(p.z()) < most && radius < widest;
+  constexpr double least = -999.999, most = 9999.999, widest = 999.99;
+  bool has_room = radius < widest;
+  for(int i = 0; i < 3; ++i)
+    has_room = has_room && least < p[i] && p[i] < most;
   if(!has_room)
-    throw wrong_usage("PDB counts in Angstroms and has no room for numbers of more than four "
-                      "digits: .bild and .csv have");
+    throw wrong_usage(
+        "PDB counts in Angstroms and has room for coordinates from -999 to 9999 only: "
+        ".bild and .csv have more");
 }
 
 // A chain for each channel; its residue has the number of the pair.

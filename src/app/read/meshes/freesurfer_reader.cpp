@@ -54,7 +54,7 @@ private:
                                  "makes one of triangles");
     const std::size_t line = content.find('\n');
     if(content.substr(0, of_triangles.size()) != of_triangles || line == content.npos)
-      fail_to_read(file_.name(), "it is no surface of FreeSurfer");
+      fail_to_read(file_.name(), "it is not a FreeSurfer surface");
     return content.substr(line + 1, 1) == "\n" ? line + 2 : line + 1;
   }
 

@@ -30,7 +30,7 @@ public:
     const Xml_tree tree = read_xml(file_);
     const auto root = tree.get_child_optional("GIFTI");
     if(!root)
-      fail_to_read(file_.name(), "it is no GIFTI");
+      fail_to_read(file_.name(), "it is not a GIFTI file");
     for(const auto& [kind, array] : *root)
       if(kind == "DataArray")
         read_array(array);

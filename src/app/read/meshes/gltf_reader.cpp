@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -139,6 +140,12 @@ public:
   }
 
 private:
+  /// Numbers of points, one after the other.
+  struct Points
+  {
+    std::size_t first = 0, count = 0;
+  };
+
   [[noreturn]] void fail(const std::string& problem) const { fail_to_read(file_.name(), problem); }
 
   void load() {
@@ -169,8 +176,8 @@ private:
   // Those that change no triangle do no harm.
   void check_extensions() const {
     static constexpr const char* harmless[] = {
-        "KHR_materials",         "KHR_texture",   "EXT_texture", "MSFT_texture", "KHR_lights",
-        "KHR_mesh_quantization", "KHR_animation", "KHR_xmp",     "KHR_node"};
+        "KHR_materials", "KHR_texture",           "EXT_texture",   "MSFT_texture",
+        "KHR_lights",    "KHR_mesh_quantization", "KHR_animation", "KHR_xmp"};
     for(const std::string& name : model_.extensionsRequired)
       if(std::none_of(std::begin(harmless), std::end(harmless), [&name](const char* begin) {
            return boost::algorithm::starts_with(name, begin);
@@ -233,12 +240,15 @@ private:
   }
 
   void add_mesh(int number, const Transform& transform) {
+    points_of_.clear();
     for(const tinygltf::Primitive& primitive : element(model_.meshes, number, "mesh").primitives) {
       check_not_compressed(primitive.extensions);
       const auto positions = primitive.attributes.find("POSITION");
       const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
       if(positions == primitive.attributes.end() || mode < TINYGLTF_MODE_TRIANGLES)
         continue; // points or lines
+      if(mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        fail("a primitive of the unknown mode " + std::to_string(mode));
       note_attributes(primitive);
       add_triangles(mode, points_of(positions->second, transform), primitive, transform.is_odd());
     }
@@ -252,18 +262,14 @@ private:
     }
   }
 
-  // Primitives may share their points, of which there is one of each node then. Returns the numbers
-  // of the points.
-  struct Points
-  {
-    std::size_t first, count;
-  };
-
   Points points_of(int accessor, const Transform& transform) {
+    if(const auto known = points_of_.find(accessor); known != points_of_.end())
+      return known->second;
     const std::vector<double> x = numbers_of(accessor, 3);
     const Points points = {soup_.points.size(), x.size() / 3};
     for(std::size_t i = 0; i + 2 < x.size(); i += 3)
       soup_.points.push_back(transform(Point(x[i], x[i + 1], x[i + 2])));
+    points_of_[accessor] = points;
     return points;
   }
 
@@ -314,7 +320,7 @@ private:
         tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
     const int stride = accessor.ByteStride(view);
     if(size <= 0 || stride < size * width)
-      fail("an accessor of numbers that are none");
+      fail("an accessor has an unknown type of numbers, or rows that overlap");
     const auto row = static_cast<std::size_t>(size * width);
     const std::size_t available = buffer.data.size();
     if(view.byteOffset > available || view.byteLength > available - view.byteOffset ||
@@ -379,6 +385,7 @@ private:
   tinygltf::Model model_;
   Soup soup_;
   std::set<int> visited_;
+  std::map<int, Points> points_of_; // by accessor, of this mesh: primitives may share them
   bool has_normals_ = false, has_texture_ = false, has_colours_ = false;
 };
 

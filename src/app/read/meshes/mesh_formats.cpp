@@ -37,6 +37,10 @@ constexpr Mesh_format mesh_readers[] = {
     {".gii", read_gifti}, {".surf", read_freesurfer},
 };
 
+// As FreeSurfer calls its surfaces, which are known by their content.
+constexpr std::string_view freesurfer_endings[] = {".orig",     ".nofix",    ".white", ".pial",
+                                                   ".smoothwm", ".inflated", ".sphere"};
+
 struct Missing_format
 {
   std::string_view ending;
@@ -92,10 +96,12 @@ std::string words_of_mesh_endings() { return boost::algorithm::join(endings_of_m
 bool is_named_as_mesh(std::string_view file) {
   if(boost::algorithm::iends_with(file, ".gz"))
     file.remove_suffix(3);
+  const auto ends_so = [file](std::string_view ending) {
+    return boost::algorithm::iends_with(file, ending);
+  };
   return std::any_of(std::begin(mesh_readers), std::end(mesh_readers),
-                     [file](const Mesh_format& format) {
-                       return boost::algorithm::iends_with(file, format.ending);
-                     });
+                     [ends_so](const Mesh_format& format) { return ends_so(format.ending); }) ||
+         std::any_of(std::begin(freesurfer_endings), std::end(freesurfer_endings), ends_so);
 }
 
 Soup read_soup(const Input_file& file) {

@@ -58,7 +58,9 @@ public:
 
   void skip_section(std::string_view name) {
     const std::size_t end = file_.content().find("$End" + std::string(name), text_.position());
-    text_.go_to((std::min)(end, file_.content().size()));
+    if(end == std::string_view::npos)
+      text_.fail_incomplete("expected $End" + std::string(name));
+    text_.go_to(end);
   }
 
   void read_format() {
@@ -178,6 +180,8 @@ public:
         content_.is_of_version_4() ? read_elements() : read_elements_of_version_2();
       content_.skip_section(section);
     }
+    if(!has_format)
+      fail_to_read(file_.name(), "it does not begin with $MeshFormat, as MSH does");
     if(soup_.faces.empty())
       fail_to_read(file_.name(), has_volumes_
                                      ? "it has elements of a volume, and none of a surface: "

@@ -17,6 +17,7 @@
 #include <expat.h>
 
 #include <array>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -25,6 +26,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace htloops {
 namespace {
@@ -133,7 +135,9 @@ public:
 
   Soup read() {
     soup_.facts.unit = Unit::MILLIMETER;
-    read_part(name_of_model());
+    waiting_ = {name_of_model()};
+    for(std::size_t i = 0; i < waiting_.size(); ++i)
+      read_part(std::string(waiting_[i]));
     for(const Placed_object& item : items_)
       add(item, 0);
     if(soup_.faces.empty())
@@ -173,13 +177,18 @@ private:
       else if(object != nullptr)
         read_element(part, name, attributes, *object);
     }).read(package_.read(part));
-    read_parts_of_components();
   }
 
   void read_unit(std::string_view name) {
-    for(Unit unit : {Unit::MICRON, Unit::CENTIMETER, Unit::INCH, Unit::FOOT, Unit::METER})
-      if(name == words_of(unit).name)
+    if(name.empty())
+      return;
+    for(const Unit unit :
+        {Unit::MICRON, Unit::MILLIMETER, Unit::CENTIMETER, Unit::INCH, Unit::FOOT, Unit::METER})
+      if(name == words_of(unit).name) {
         soup_.facts.unit = unit;
+        return;
+      }
+    fail_to_read(file_.name(), "it counts in the unknown unit " + in_quotes(name));
   }
 
   void read_element(const std::string& part,
@@ -206,8 +215,8 @@ private:
 
   std::size_t vertex(std::string_view text) const {
     const double v = number(text);
-    return v >= 0. && v < 4e9 ? static_cast<std::size_t>(v)
-                              : (std::numeric_limits<std::uint32_t>::max)();
+    return v >= 0. && v < 4e9 && v == std::floor(v) ? static_cast<std::size_t>(v)
+                                                    : (std::numeric_limits<std::uint32_t>::max)();
   }
 
   // A row of the matrix is where an axis goes, the last one where the origin does.
@@ -216,6 +225,8 @@ private:
     Placed_object object = {
         {path.empty() ? part : without_slash(path), std::string(attributes["objectid"])},
         Transform(CGAL::IDENTITY)};
+    if(!path.empty()) // objects may be in files of their own within the package
+      waiting_.push_back(object.name.first);
     if(text.empty())
       return object;
     Text_source source(file_.name(), text);
@@ -223,21 +234,11 @@ private:
     for(double& x : m)
       if(!source.read(x))
         fail_to_read(file_.name(), "a transform is not of twelve numbers: " + in_quotes(text));
+    if(source.skip_to_content())
+      fail_to_read(file_.name(), "a transform has more than twelve numbers: " + in_quotes(text));
     object.transform =
         Transform(m[0], m[3], m[6], m[9], m[1], m[4], m[7], m[10], m[2], m[5], m[8], m[11]);
     return object;
-  }
-
-  // Objects may be in files of their own within the package, which are read as they are named.
-  void read_parts_of_components() {
-    std::vector<std::string> parts;
-    for(const auto& [name, object] : objects_)
-      for(const Placed_object& component : object.components)
-        parts.push_back(component.name.first);
-    for(const Placed_object& item : items_)
-      parts.push_back(item.name.first);
-    for(const std::string& part : parts)
-      read_part(part);
   }
 
   // Components may hold components, and name an object twice: so a small file may say a lot.
@@ -277,7 +278,8 @@ private:
 
   const Input_file& file_;
   Zip_content package_;
-  std::set<std::string> parts_; // that were read
+  std::vector<std::string> waiting_; // parts that are read one after the other
+  std::set<std::string> parts_;      // that were read
   std::map<Name, Object> objects_;
   std::vector<Placed_object> items_;
   Soup soup_;

@@ -10,7 +10,9 @@
 #include "read/Vtk_document.h"
 #include "read/meshes/readers.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace htloops {
 namespace {
@@ -22,13 +24,22 @@ enum Vtk_cell {
   POLYGON = 7,
   PIXEL = 8,
   QUAD = 9,
-  TETRAHEDRON = 10,
-  WEDGE_OF_FIVE = 16,
   QUADRATIC_TRIANGLE = 22,
   QUADRATIC_QUAD = 23,
   BIQUADRATIC_QUAD = 28,
   BIQUADRATIC_TRIANGLE = 34
 };
+
+// Or a point, or nothing.
+bool is_line(double type) {
+  constexpr double types[] = {0, 1, 2, 3, 4, 21, 35, 60, 68, 75};
+  return std::find(std::begin(types), std::end(types), type) != std::end(types);
+}
+
+bool is_curved_face(double type) {
+  constexpr double types[] = {30, 36, 61, 62, 69, 70, 76, 77};
+  return std::find(std::begin(types), std::end(types), type) != std::end(types);
+}
 
 using Points_of_cell = std::vector<std::size_t>;
 
@@ -52,6 +63,8 @@ public:
                                        "surface (in ParaView) first"
                                      : "it has no faces");
     check_corners(file_.name(), soup_);
+    if(has_volumes_)
+      soup_.facts.unread.push_back("cells of a volume");
     return std::move(soup_);
   }
 
@@ -59,7 +72,7 @@ private:
   // Returns the number of the first point of the piece.
   std::size_t read_points(const Xml_tree& piece) {
     const std::size_t first = soup_.points.size();
-    const std::vector<double> x = document_.array(piece, "Points", "");
+    const std::vector<double> x = document_.points(piece);
     for(std::size_t i = 0; i + 2 < x.size(); i += 3)
       soup_.points.emplace_back(x[i], x[i + 1], x[i + 2]);
     note_data(piece);
@@ -75,9 +88,11 @@ private:
 
   void read_polygons(const Xml_tree& piece) {
     const std::size_t first = read_points(piece);
-    for(const Points_of_cell& polygon : document_.cells(piece, "Polys", first))
+    for(const Points_of_cell& polygon :
+        document_.cells(piece, "Polys", first, soup_.points.size() - first))
       soup_.add_face(polygon);
-    for(const Points_of_cell& strip : document_.cells(piece, "Strips", first))
+    for(const Points_of_cell& strip :
+        document_.cells(piece, "Strips", first, soup_.points.size() - first))
       add_strip(strip);
   }
 
@@ -89,9 +104,13 @@ private:
   }
 
   void read_cells(const Xml_tree& piece) {
-    const std::vector<Points_of_cell> cells = document_.cells(piece, "Cells", read_points(piece));
+    const std::size_t first = read_points(piece);
+    const std::vector<Points_of_cell> cells =
+        document_.cells(piece, "Cells", first, soup_.points.size() - first);
     const std::vector<double> of_cells = document_.array(piece, "Cells", "types");
-    for(std::size_t c = 0; c < cells.size() && c < of_cells.size(); ++c)
+    if(of_cells.size() != cells.size())
+      fail_to_read(file_.name(), "not all cells have a type");
+    for(std::size_t c = 0; c < cells.size(); ++c)
       add_cell(of_cells[c], cells[c]);
   }
 
@@ -111,7 +130,10 @@ private:
       add(4);
     } else if(type == TRIANGLE_STRIP)
       add_strip(cell);
-    else if(type >= TETRAHEDRON && type <= WEDGE_OF_FIVE)
+    else if(is_curved_face(type))
+      fail_to_read(file_.name(), "it has faces of the type " + std::to_string(int(type)) +
+                                     " of VTK, which cannot be read here: triangulate them");
+    else if(!is_line(type))
       has_volumes_ = true;
   }
 

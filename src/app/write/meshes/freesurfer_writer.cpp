@@ -8,7 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "write/bytes.h"
-#include "write/meshes/writers.h"
+#include "write/meshes/single_precision.h"
 
 #include <boost/endian/conversion.hpp>
 
@@ -19,13 +19,15 @@ namespace htloops {
 void write_freesurfer(Text_writer& out, const Written_mesh& written) {
   constexpr auto order = boost::endian::order::big;
   const auto& [points, triangles] = written.mesh;
+  const double scale = scale_to_millimeters(written);
+  check_single_precision(written, scale);
   std::string bytes = "\xFF\xFF\xFE"
                       "made by htloops\n\n";
   append_bytes<order>(bytes, static_cast<std::int32_t>(points.size()));
   append_bytes<order>(bytes, static_cast<std::int32_t>(triangles.size()));
   for(const auto& point : points)
     for(const double x : point)
-      append_bytes<order>(bytes, static_cast<float>(x));
+      append_bytes<order>(bytes, static_cast<float>(scale * x));
   for(const auto& triangle : triangles)
     for(const std::uint32_t v : triangle)
       append_bytes<order>(bytes, v);

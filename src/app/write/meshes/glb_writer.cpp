@@ -8,11 +8,12 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "write/Gltf_document.h"
-#include "write/meshes/writers.h"
+#include "write/meshes/single_precision.h"
 
 namespace htloops {
 
 void write_glb(Text_writer& out, const Written_mesh& written) {
+  check_single_precision(written);
   Gltf_document document;
   if(!written.mesh.triangles.empty())
     document.add_node("surface", written.mesh.points, {}, written.mesh.triangles);

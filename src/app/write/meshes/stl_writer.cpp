@@ -8,7 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "write/bytes.h"
-#include "write/meshes/writers.h"
+#include "write/meshes/single_precision.h"
 
 #include <array>
 #include <cmath>
@@ -58,6 +58,7 @@ Place normal_of(const std::array<std::array<double, 3>, 3>& corners) {
 } // namespace
 
 void write_stl(Text_writer& out, const Written_mesh& written) {
+  check_single_precision(written);
   check_stay_apart(written);
   constexpr std::size_t header_size = 80;
   std::string bytes = "made by htloops";

@@ -52,6 +52,7 @@ void write_stl(Text_writer& out, const Written_mesh& written);
 /// in meters: if the coordinates are known to be of another unit, a node scales them.
 void write_glb(Text_writer& out, const Written_mesh& written);
 
+// in millimeters.
 void write_gifti(Text_writer& out, const Written_mesh& written);
 
 /// with the geometry of the volume that the file had from which the mesh is.

@@ -144,7 +144,7 @@ TEST(Skeleton_reader, SaysWhatIsWrong) {
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"appended\"></DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
-                 "an array that begins behind the end of the file");
+                 "an array that starts beyond the end of the file");
   // What follows the underscore may be any bytes.
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece/></PolyData><AppendedData encoding=\"raw\">_<&"

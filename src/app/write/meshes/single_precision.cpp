@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "write/meshes/single_precision.h"
+
+#include "write/tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace htloops {
+
+void check_single_precision(const Written_mesh& written, double scale) {
+  constexpr double most = (std::numeric_limits<float>::max)(), largest_share = 1e-4;
+  double largest = 0., farthest = 0.;
+  std::array<double, 3> low{}, high{};
+  bool is_first = true;
+  for(const auto& point : written.mesh.points) {
+    for(std::size_t i = 0; i < 3; ++i) {
+      const double x = scale * point[i];
+      largest = std::isfinite(x) ? (std::max)(largest, std::abs(x)) : 2. * most;
+      if(largest > most)
+        throw wrong_usage(
+            "the coordinates are too large for numbers of single precision, which this "
+            "format has: .off .obj .ply .3mf .vtp .vtu .msh have room for them");
+      farthest = (std::max)(farthest, std::abs(x - static_cast<double>(static_cast<float>(x))));
+      low[i] = is_first ? x : (std::min)(low[i], x);
+      high[i] = is_first ? x : (std::max)(high[i], x);
+    }
+    is_first = false;
+  }
+  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  if(farthest > largest_share * diagonal)
+    throw wrong_usage(
+        formatted("in single precision, which this format has, points would move by up to "
+                  "%.3g of a diagonal of %.3g: ",
+                  farthest, diagonal) +
+        ".off .obj .ply .3mf .vtp .vtu .msh keep them, .ascii.stl too");
+}
+
+double scale_to_millimeters(const Written_mesh& written) {
+  const Unit unit = written.facts.unit;
+  return unit == Unit::NONE || unit == Unit::MILLIMETER ? 1. : words_of(unit).metres / 1e-3;
+}
+
+} // namespace htloops
