@@ -1,6 +1,7 @@
 #include "window/window.h"
 
 #include "window/encoding.h"
+#include "window/packing.h"
 #include "window/page_texts.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ namespace test_window {
 
 using namespace htl_window;
 
-std::string inflated(const std::string& bytes, std::size_t size) {
+std::string inflated_by_zlib(const std::string& bytes, std::size_t size) {
   z_stream stream{};
   if(inflateInit2(&stream, -15) != Z_OK)
     throw std::runtime_error("zlib");
@@ -46,7 +47,7 @@ public:
     std::size_t size = 0;
     for(const std::size_t length : encoded.streams.lengths)
       size += length;
-    const std::string bytes = inflated(bytes_of_base64(encoded.streams.text), size);
+    const std::string bytes = inflated_by_zlib(bytes_of_base64(encoded.streams.text), size);
     EXPECT_EQ(bytes.size(), size);
     std::size_t at = 0;
     for(const std::size_t length : encoded.streams.lengths) {
@@ -208,8 +209,20 @@ TEST(Deflated, InflatesToWhatItWas) {
     std::string bytes(size, '\0');
     for(char& c : bytes)
       c = static_cast<char>(random() % (1 + random() % 200));
-    EXPECT_EQ(inflated(deflated(bytes), size), bytes);
+    EXPECT_EQ(inflated_by_zlib(deflated(bytes), size), bytes);
+    for(const Frame frame : {Frame::NONE, Frame::ZLIB, Frame::GZIP})
+      EXPECT_EQ(inflated(deflated(bytes, frame), frame), bytes);
   }
+}
+
+TEST(Inflated, TakesStreamsAfterEachOtherAndNoBrokenOnes) {
+  const std::string one = deflated("handle", Frame::GZIP), other = deflated("tunnel", Frame::GZIP);
+  EXPECT_EQ(inflated(one + other), "handletunnel");
+  EXPECT_EQ(inflated(one + std::string(512, '\0')), "handle"); // as tapes fill up blocks
+  EXPECT_FALSE(inflated(one + "x"));
+  EXPECT_FALSE(inflated(one.substr(0, one.size() - 1)));
+  EXPECT_FALSE(inflated(""));
+  EXPECT_FALSE(inflated("handle"));
 }
 
 TEST(Html_text, IsNoMarkup) {
