@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_MESH_TYPES_H
 #define HTLOOPS_MESH_TYPES_H
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Triangle_arrays.h>
@@ -34,6 +35,11 @@ using Mesh = CGAL::Handle_tunnel_loops::Triangle_arrays<Point>;
 /// whether a point is somewhere.
 inline bool is_finite(const Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+/// the diagonal of a box.
+inline double diagonal_of(const CGAL::Bbox_3& box) {
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
 /// a line without elements that are equal to the one before; if it is closed, the last one comes

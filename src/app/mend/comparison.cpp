@@ -125,22 +125,9 @@ private:
 
 // Edges that one face names, once.
 std::size_t number_of_boundary_edges(const Soup& soup) {
-  std::vector<std::uint64_t> sides;
-  sides.reserve(3 * soup.faces.size() + soup.further_corners.size());
-  for_each_polygon(soup, [&sides](std::size_t, const Corners& corners) {
-    for_each_side(corners, [&sides](std::uint32_t u, std::uint32_t v) {
-      if(u != v)
-        sides.push_back(edge_key(u, v));
-    });
-  });
-  std::sort(sides.begin(), sides.end());
   std::size_t number = 0;
-  for(auto begin = sides.begin(); begin != sides.end();) {
-    const auto end =
-        std::find_if(begin, sides.end(), [begin](auto side) { return side != *begin; });
-    number += end - begin == 1 ? 1 : 0;
-    begin = end;
-  }
+  for_each_run(sorted_sides(soup),
+               [&number](std::uint64_t, std::ptrdiff_t faces) { number += faces == 1 ? 1 : 0; });
   return number;
 }
 

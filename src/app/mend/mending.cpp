@@ -14,7 +14,6 @@
 #include "mend/steps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -32,11 +31,7 @@ bool can_be_mended(const Soup& soup) {
 double length_on(const Soup& soup, const Relative_length& length) {
   if(!length.is_share || soup.points.empty())
     return length.value;
-  const CGAL::Bbox_3 box = CGAL::bbox_3(soup.points.begin(), soup.points.end());
-  double diagonal = 0.;
-  for(int i = 0; i < 3; ++i)
-    diagonal = std::hypot(diagonal, box.max(i) - box.min(i));
-  return length.value * diagonal;
+  return length.value * diagonal_of(CGAL::bbox_3(soup.points.begin(), soup.points.end()));
 }
 
 // While edges have the numbers that they had, and before faces are divided.

@@ -32,13 +32,6 @@ constexpr double near_share = 1e-5; // of the diagonal
 
 using Cell = std::array<double, 3>; // of a grid, by whole numbers
 
-double squared_distance(const Point& p, const Point& q) {
-  double sum = 0.;
-  for(int i = 0; i < 3; ++i)
-    sum += (p[i] - q[i]) * (p[i] - q[i]);
-  return sum;
-}
-
 // Vertices that others lie at, in a grid whose cells are as wide as the length.
 class Places
 {
@@ -63,7 +56,7 @@ public:
       if(found == places_in_.end())
         return;
       for(const std::uint32_t place : found->second) {
-        const double distance = squared_distance(points_[place], points_[v]);
+        const double distance = CGAL::squared_distance(points_[place], points_[v]);
         const bool is_nearer =
             distance < least || (distance == least && (best == v || place < best));
         if(distance <= length_ * length_ && is_nearer && !has_edge_to(place, v)) {
@@ -111,36 +104,13 @@ private:
   std::unordered_map<std::uint32_t, std::uint32_t> place_at_; // by vertex
 };
 
-// The sides of all faces, once for each of these.
-std::vector<std::uint64_t> sides_of(const Soup& soup) {
-  std::vector<std::uint64_t> sides;
-  for_each_polygon(soup, [&sides](std::size_t, const Corners& corners) {
-    for_each_side(corners, [&sides](std::uint32_t u, std::uint32_t v) {
-      if(u != v)
-        sides.push_back(edge_key(u, v));
-    });
-  });
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
-
-// Calls `visit(edge, number of faces)`.
-template <typename Visit> void for_each_edge(const std::vector<std::uint64_t>& sides, Visit visit) {
-  for(auto begin = sides.begin(); begin != sides.end();) {
-    const auto end =
-        std::find_if(begin, sides.end(), [begin](std::uint64_t side) { return side != *begin; });
-    visit(*begin, end - begin);
-    begin = end;
-  }
-}
-
 std::array<std::uint32_t, 2> ends_of(std::uint64_t edge) {
   return {static_cast<std::uint32_t>(edge >> 32), static_cast<std::uint32_t>(edge)};
 }
 
 std::vector<std::uint32_t> vertices_of_open_edges(const std::vector<std::uint64_t>& sides) {
   std::vector<std::uint32_t> vertices;
-  for_each_edge(sides, [&vertices](std::uint64_t edge, std::ptrdiff_t faces) {
+  for_each_run(sides, [&vertices](std::uint64_t edge, std::ptrdiff_t faces) {
     if(faces == 1)
       for(const std::uint32_t v : ends_of(edge))
         vertices.push_back(v);
@@ -160,7 +130,7 @@ std::string words_of(const Point& p) {
 void check_not_crowded(const Soup& soup,
                        const std::vector<std::uint64_t>& crowded_before,
                        double length) {
-  for_each_edge(sides_of(soup), [&](std::uint64_t edge, std::ptrdiff_t faces) {
+  for_each_run(sorted_sides(soup), [&](std::uint64_t edge, std::ptrdiff_t faces) {
     if(faces <= 2 || std::binary_search(crowded_before.begin(), crowded_before.end(), edge))
       return;
     const auto [u, v] = ends_of(edge);
@@ -200,7 +170,7 @@ std::vector<std::uint32_t> nearest_before(const std::vector<Point>& points,
 
 void weld_near_points(Mended_soup& mended, double length) {
   Soup& soup = mended.soup;
-  const std::vector<std::uint64_t> sides = sides_of(soup);
+  const std::vector<std::uint64_t> sides = sorted_sides(soup);
   const std::vector<std::uint32_t> vertices = vertices_of_open_edges(sides);
   const std::vector<std::uint32_t> nearest = nearest_before(soup.points, vertices, sides, length);
   std::vector<std::uint32_t> welded(soup.points.size());
@@ -214,7 +184,7 @@ void weld_near_points(Mended_soup& mended, double length) {
       });
   }
   std::vector<std::uint64_t> crowded;
-  for_each_edge(sides, [&](std::uint64_t edge, std::ptrdiff_t faces) {
+  for_each_run(sides, [&](std::uint64_t edge, std::ptrdiff_t faces) {
     const auto [u, v] = ends_of(edge);
     if(faces > 2)
       crowded.push_back(edge_key(welded[u], welded[v]));
@@ -259,8 +229,7 @@ Near_boundary near_boundary_of(const Mesh& mesh) {
   CGAL::Bbox_3 box;
   for(const std::uint32_t v : vertices)
     box += mesh.points().begin()[v].bbox();
-  const double diagonal = std::sqrt(squared_distance(Point(box.xmin(), box.ymin(), box.zmin()),
-                                                     Point(box.xmax(), box.ymax(), box.zmax())));
+  const double diagonal = diagonal_of(box);
   if(!(diagonal > 0.) || !std::isfinite(diagonal))
     return found;
   const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
@@ -279,7 +248,7 @@ Near_boundary near_boundary_of(const Mesh& mesh) {
       places.push_back(edge_key(place(u), place(v)));
   }
   std::sort(places.begin(), places.end());
-  for_each_edge(places, [&found](std::uint64_t, std::ptrdiff_t number) {
+  for_each_run(places, [&found](std::uint64_t, std::ptrdiff_t number) {
     found.near_edges += number > 1 ? static_cast<std::size_t>(number) : 0;
   });
   found.edges = edges.size();

@@ -89,6 +89,30 @@ template <typename Replace> void replace_faces(Mended_soup& mended, Replace repl
 /// one number for an edge, whatever its direction; the smaller vertex counts first.
 using CGAL::Handle_tunnel_loops::internal::edge_key;
 
+/// the sides of all faces, as `edge_key()` has them, one for each face that has it; sorted.
+inline std::vector<std::uint64_t> sorted_sides(const Soup& soup) {
+  std::vector<std::uint64_t> sides;
+  sides.reserve(3 * soup.faces.size() + soup.further_corners.size());
+  for_each_polygon(soup, [&sides](std::size_t, const Corners& corners) {
+    for_each_side(corners, [&sides](std::uint32_t u, std::uint32_t v) {
+      if(u != v)
+        sides.push_back(edge_key(u, v));
+    });
+  });
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+/// calls `visit(key, how often it is there)` for each of some sorted keys.
+template <typename Visit> void for_each_run(const std::vector<std::uint64_t>& keys, Visit visit) {
+  for(auto begin = keys.begin(); begin != keys.end();) {
+    const auto end =
+        std::find_if(begin, keys.end(), [begin](std::uint64_t key) { return key != *begin; });
+    visit(*begin, end - begin);
+    begin = end;
+  }
+}
+
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact_point = Exact::Point_3;
 

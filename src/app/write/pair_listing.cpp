@@ -118,10 +118,6 @@ CGAL::Bbox_3 box_of(const Mesh& mesh) {
   return CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
 }
 
-double diagonal_of(const CGAL::Bbox_3& box) {
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
-}
-
 double diagonal_of(const Mesh& mesh) { return diagonal_of(box_of(mesh)); }
 
 Point middle_of(const CGAL::Bbox_3& box) {

@@ -96,8 +96,7 @@ Pair_listing list_removals(const Pair_listing& listing, const Removal_report& re
 Pair_listing
 list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options = {});
 
-/// the diagonal of a box, or of the bounding box.
-double diagonal_of(const CGAL::Bbox_3& box);
+/// the diagonal of the bounding box.
 double diagonal_of(const Mesh& mesh);
 
 /// the middle of a box.

@@ -58,7 +58,8 @@ void run(const Repair_options& options) {
   check_mesh_format(options.written_mesh_file);
   const Input_file file = input_of(options);
   const Mended_soup mended = mend(read_whole_soup(file), options.remedies);
-  const std::vector<Defect> defects = diagnose(mended.soup);
+  const Built_mesh built = build_mesh(mended.soup);
+  const std::vector<Defect>& defects = built.defects;
   throw_if_interrupted();
   if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
     std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);
@@ -66,7 +67,7 @@ void run(const Repair_options& options) {
     write_mesh(options.written_mesh_file, triangles_of(mended.soup), mended.soup.facts);
   require_fit(file.name(), defects);
   if(!options.is_quiet)
-    show_note(file.name(), near_boundary_of(build_mesh(mended.soup).mesh));
+    show_note(file.name(), near_boundary_of(built.mesh));
 }
 
 constexpr char repair_description[] =

@@ -44,7 +44,7 @@ constexpr std::string_view freesurfer_endings[] = {".orig",     ".nofix",    ".w
 struct Missing_format
 {
   std::string_view ending;
-  const char* library;
+  const char* needs;
 };
 
 constexpr Missing_format missing_formats[] = {
@@ -72,7 +72,7 @@ bool is_utf16(std::string_view content) {
   for(const Missing_format& format : missing_formats)
     if(!format.ending.empty() && file.is_of_format(format.ending))
       fail_to_read(file.name(), "this build cannot read " + std::string(format.ending) +
-                                    ": it was made without " + format.library);
+                                    ": it was made without " + format.needs);
   fail_to_read(file.name(), "its format, which follows from the extension, is not supported; those "
                             "that are: " +
                                 words_of_mesh_endings() +

@@ -12,7 +12,6 @@
 #include "write/tables.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,8 +20,7 @@ namespace htloops {
 void check_single_precision(const Written_mesh& written, double scale) {
   constexpr double most = (std::numeric_limits<float>::max)(), largest_share = 1e-4;
   double largest = 0., farthest = 0.;
-  std::array<double, 3> low{}, high{};
-  bool is_first = true;
+  CGAL::Bbox_3 box;
   for(const auto& point : written.mesh.points) {
     for(std::size_t i = 0; i < 3; ++i) {
       const double x = scale * point[i];
@@ -32,12 +30,11 @@ void check_single_precision(const Written_mesh& written, double scale) {
             "the coordinates are too large for numbers of single precision, which this "
             "format has: .off .obj .ply .3mf .vtp .vtu .msh have room for them");
       farthest = (std::max)(farthest, std::abs(x - static_cast<double>(static_cast<float>(x))));
-      low[i] = is_first ? x : (std::min)(low[i], x);
-      high[i] = is_first ? x : (std::max)(high[i], x);
     }
-    is_first = false;
+    const auto& [x, y, z] = point;
+    box += CGAL::Bbox_3(x, y, z, x, y, z);
   }
-  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const double diagonal = scale * diagonal_of(box);
   if(farthest > largest_share * diagonal)
     throw wrong_usage(
         formatted("in single precision, which this format has, points would move by up to "
