@@ -76,7 +76,9 @@ where the loops of the handle did are taken.
 the last one of the bridges that join two shells, or through the last one of the holes that join an
 outer and an inner wall, once the handles shorter than that are gone. The shells come apart. All
 necks that are found are simple, disjoint and separate the surface, which is counted; that all are
-found is likely, and not certain.
+found is likely, and not certain. With `Removal_options::only_channels`, handles and necks are
+removed only where an inner wall comes off an outer one by that: what was removed elsewhere stays,
+which is found by trying.
 
 Time is that of finding the loops, if they are not given, and near linear in the size of the mesh
 and of the caps; for each round in which loops are to be found anew, that is added. Beyond the mesh,

@@ -63,6 +63,11 @@ struct Removal_options
   /// the share of the area of its component that each piece has at least that comes off at a neck;
   /// from 0 to 0.5.
   double minimal_piece_share = 0.01;
+  /// whether only channels are removed: holes through the material from an outer wall to an inner
+  /// one, such as leaks, shorter around than necks may be. They are filled, and where all of them
+  /// are, the inner wall comes off as a shell of its own, which is what tells them from other
+  /// handles and necks: these stay.
+  bool only_channels = false;
   /// whether handles are removed even where that is no repair: the manual names the limits.
   bool force = false;
 };

@@ -698,6 +698,65 @@ TEST_P(Necks_removal, LetsShellsComeApart) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Necks_removal, testing::Values("twins", "hollow"));
 
+htl::Removal_report remove_channels(Mesh& mesh, double maximal_length) {
+  Options options = with(&Options::maximal_neck_length, maximal_length);
+  options.only_channels = true;
+  return CGAL::remove_handles(mesh, params::removal_options(options));
+}
+
+// Walls of genus 2, whose holes are shorter around than channels may be.
+TEST(Channels_removal, TakesInnerWallsOffAndLeavesOtherHandles) {
+  for(const std::size_t channels : {1, 2, 4}) {
+    Recipe hollow = recipe("hollow", 160000, 2, unsigned(channels));
+    hollow.request.necks = channels;
+    Mesh mesh = mesh_of(hollow);
+    const std::ptrdiff_t before = euler_characteristic(mesh);
+    const htl::Removal_report report = remove_channels(mesh, 100.);
+    EXPECT_EQ(report.removed.size(), channels - 1);
+    EXPECT_EQ(report.removed_necks.size(), 1u);
+    EXPECT_EQ(report.components_after, report.components_before + 1);
+    EXPECT_EQ(euler_characteristic(mesh), before + 2 * std::ptrdiff_t(channels));
+    for(const htl::Removed_handle& channel : report.removed)
+      EXPECT_EQ(channel.by, htl::Removal_way::FILL);
+  }
+}
+
+TEST(Channels_removal, LeavesWhatBoundsFromOutsideOnBothSides) {
+  Recipe twins = recipe("twins", 60000, 0);
+  twins.request.necks = 3;
+  Mesh mesh = mesh_of(twins);
+  const auto before = faces_by_points(mesh);
+  const htl::Removal_report report = remove_channels(mesh, 0.5);
+  EXPECT_TRUE(report.removed.empty());
+  EXPECT_TRUE(report.removed_necks.empty());
+  EXPECT_EQ(faces_by_points(mesh), before);
+}
+
+// One of them is too long: then the wall stays, and all others with it.
+TEST(Channels_removal, TakesAllOrNone) {
+  Recipe hollow = recipe("hollow", 60000, 0);
+  hollow.request.necks = 3;
+  Mesh mesh = mesh_of(hollow), copy = mesh;
+  const auto before = faces_by_points(mesh);
+  const htl::Removal_report all = remove_channels(copy, 100.);
+  ASSERT_EQ(all.removed.size(), 2u);
+  double longest = 0.;
+  for(const htl::Removed_handle& channel : all.removed)
+    longest = (std::max)(longest, channel.length);
+  EXPECT_EQ(remove_channels(mesh, longest).removed.size(), 0u);
+  EXPECT_EQ(faces_by_points(mesh), before);
+}
+
+TEST(Channels_removal, RefusesWhatMakesNoSense) {
+  Mesh mesh = mesh_of(recipe("torus", 600, 1));
+  Options options = with(&Options::maximal_neck_length, 0.);
+  options.only_channels = true;
+  expect_refusal(mesh, params::removal_options(options), "up to a length");
+  options.maximal_neck_length = 1.;
+  options.method = htl::Removal_method::CUT;
+  expect_refusal(mesh, params::removal_options(options), "filled, and not cut");
+}
+
 TEST(Handle_removal, RefusesWhatMakesNoSense) {
   Mesh mesh = mesh_of(recipe("torus", 600, 1));
   expect_refusal(mesh, wish(&Options::target_genus, 2), "target genus is 2");

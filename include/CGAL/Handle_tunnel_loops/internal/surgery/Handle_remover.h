@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Parted_walls.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
@@ -147,23 +148,13 @@ public:
     Handle_selection<Pair> wanted = selection();
     if(selects_bores())
       wanted.is_bore_wanted = find_bores(vertex_index, face_index);
-    const std::vector<Removal_task> tasks =
-        wanted.tasks(tm_, vertex_index, pairs_, report_.genus_before);
-    Attempt attempt = attempt_at(tasks, Removal_effort::ALL_LOOPS, vertex_index, face_index);
-    if(may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
-      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::ALL_LOOPS,
-                                 vertex_index, face_index);
-      if(number_left(other.tasks) < number_left(attempt.tasks))
-        attempt = std::move(other);
-    }
+    std::vector<Removal_task> tasks = wanted.tasks(tm_, vertex_index, pairs_, report_.genus_before);
+    Attempt attempt = attempt_at_all(tasks, vertex_index, face_index);
+    while(options_.only_channels && keep_others(tasks, attempt))
+      attempt = attempt_at_all(tasks, vertex_index, face_index);
     const double unit = attempt.link->unit();
     describe(std::move(attempt.tasks), unit, report_.removed, report_.refused);
-    if(options_.maximal_neck_length > 0.) {
-      Removal_options options = options_;
-      options.maximal_neck_length /= unit;
-      describe(remove_necks(execution, attempt.mesh, options), unit, report_.removed_necks,
-               report_.refused_necks);
-    }
+    describe(std::move(attempt.necks), unit, report_.removed_necks, report_.refused_necks);
     check(attempt.mesh);
     ask(1.);
     if(!get(internal_np::dry_run, false)) {
@@ -218,8 +209,42 @@ private:
   {
     std::unique_ptr<Link> link;
     Surgery_mesh mesh;
-    std::vector<Removal_task> tasks;
+    Index first_put_in;
+    std::vector<Removal_task> tasks, necks;
   };
+
+  // Handles, and then necks.
+  template <typename VertexIndexMap, typename FaceIndexMap>
+  Attempt attempt_at_all(const std::vector<Removal_task>& tasks,
+                         VertexIndexMap vertex_index,
+                         FaceIndexMap face_index) {
+    Attempt attempt = attempt_at(tasks, Removal_effort::ALL_LOOPS, vertex_index, face_index);
+    if(may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
+      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::ALL_LOOPS,
+                                 vertex_index, face_index);
+      if(number_left(other.tasks) < number_left(attempt.tasks))
+        attempt = std::move(other);
+    }
+    if(options_.maximal_neck_length > 0.) {
+      Removal_options options = options_;
+      options.maximal_neck_length /= attempt.link->unit();
+      attempt.necks = remove_necks(execution, attempt.mesh, options);
+    }
+    return attempt;
+  }
+
+  // Those that were removed and are no channels; whether there are any.
+  static bool keep_others(std::vector<Removal_task>& tasks, const Attempt& attempt) {
+    Parted_walls walls(execution, attempt.mesh, attempt.first_put_in,
+                       {&attempt.tasks, &attempt.necks});
+    const std::set<std::size_t> others = pairs_of(attempt.tasks, [&](const Removal_task& task) {
+      return task.state == Removal_task::State::REMOVED && !walls.was_channel(task);
+    });
+    for(Removal_task& task : tasks)
+      if(others.count(task.pair) > 0)
+        task.state = Removal_task::State::KEPT;
+    return !others.empty();
+  }
 
   template <typename VertexIndexMap, typename FaceIndexMap>
   Attempt attempt_at(std::vector<Removal_task> tasks,
@@ -229,6 +254,7 @@ private:
     Attempt attempt;
     attempt.link = new_link();
     attempt.mesh = attempt.link->read(execution, vertex_index, face_index);
+    attempt.first_put_in = attempt.mesh.face_bound();
     attempt.tasks = std::move(tasks);
     for(Removal_task& task : attempt.tasks)
       task.divide_lengths(attempt.link->unit());
@@ -333,6 +359,8 @@ private:
     Handle_selection<Pair> wanted{options_, {}, {}};
     if(selects_bores())
       check_bores(wanted);
+    if(options_.only_channels)
+      check_channels(wanted);
     if(!wanted.maximal_length && options_.maximal_neck_length > 0.)
       wanted.maximal_length = options_.maximal_neck_length;
     if constexpr(is_given<internal_np::filter_t>)
@@ -348,6 +376,15 @@ private:
       throw std::invalid_argument("the range of diameters of bores is empty");
     if(wanted.method == Removal_method::CUT)
       throw std::invalid_argument("bores are filled, and not cut");
+    wanted.method = Removal_method::FILL;
+  }
+
+  // Which are filled, and the last one of which is a neck.
+  void check_channels(Handle_selection<Pair>& wanted) const {
+    if(!(options_.maximal_neck_length > 0.))
+      throw std::invalid_argument("channels are removed up to a length: that of necks");
+    if(wanted.method == Removal_method::CUT)
+      throw std::invalid_argument("channels are filled, and not cut");
     wanted.method = Removal_method::FILL;
   }
 

@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Detour.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Parted_walls.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_candidate.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
@@ -450,6 +451,21 @@ CGAL_HTL_CORE void try_to_remove_each(Execution execution,
   give_up(remove, tasks);
 }
 
+/// keeps necks that are no channels, as removing all of them on a copy of the mesh shows.
+inline void keep_what_is_no_channel(Execution execution,
+                                    Surgery_mesh mesh,
+                                    std::vector<Removal_task>& tasks,
+                                    bool force) {
+  std::vector<Removal_task> tried = tasks;
+  const Index first_put_in = mesh.face_bound();
+  Removal_rounds remove(execution, mesh, force);
+  remove(tried, [] {});
+  Parted_walls walls(execution, mesh, first_put_in, {&tried});
+  for(std::size_t i = 0; i < tasks.size(); ++i)
+    if(tried[i].state == Removal_task::State::REMOVED && !walls.was_channel(tried[i]))
+      tasks[i].state = Removal_task::State::KEPT;
+}
+
 CGAL_HTL_CORE std::vector<Removal_task>
 remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted) {
   const Surgery_graph graph(mesh);
@@ -462,6 +478,8 @@ remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wan
     tasks.back().are_types_known = false;
     tasks.back().choices.push_back(loop_choice(neck, graph, Surgery_graph::Vertex_index_map()));
   }
+  if(wanted.only_channels)
+    keep_what_is_no_channel(execution, mesh, tasks, wanted.force);
   Removal_rounds remove(execution, mesh, wanted.force);
   remove(tasks, [] {});
   give_up(remove, tasks);
