@@ -45,6 +45,7 @@ PYBIND11_MODULE(_core, module) {
       .def(py::init<>())
       .def("stop", &htl_python::Watch::stop)
       .def_property_readonly("fraction", &htl_python::Watch::fraction);
+  htl_python::add_cleaning(module);
   htl_python::add_files(module);
   htl_python::add_generators(module);
   htl_python::add_loops(module);

@@ -48,6 +48,10 @@ htloops::Removal_options options_of(const py::dict& options) {
     result.maximal_length = *length;
   if(const auto length = chosen<double>(options, "necks"))
     result.maximal_length = result.maximal_neck_length = *length;
+  if(const auto length = chosen<double>(options, "channels")) {
+    result.maximal_length = result.maximal_neck_length = *length;
+    result.only_channels = true;
+  }
   if(const auto box = chosen<std::array<double, 6>>(options, "box"))
     result.box = CGAL::Bbox_3((*box)[0], (*box)[1], (*box)[2], (*box)[3], (*box)[4], (*box)[5]);
   if(const auto range = chosen<std::array<double, 2>>(options, "bores")) {

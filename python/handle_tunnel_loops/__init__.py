@@ -28,6 +28,7 @@ Functions
     throats         all narrow places of a mesh
     curve_skeleton  lines in the middle of the solid inside a mesh, with radii and a proof
     reeb            the Reeb graph of a function on a mesh
+    clean           a closed solid, made of a mesh with something wrong
     remove_handles  a mesh without some of its handles
     cut_to_disk     a mesh cut open along a short graph, for parametrization
     dual_cuts       for each loop, a cut that crosses it once, for circuits
@@ -47,6 +48,7 @@ raised). ``threads`` is how many a call takes at most, whatever others take at t
 """
 
 from ._core import Interrupted, MeshError, has_pictures, version as _version
+from ._cleaning import clean
 from ._loops import Certificate, Loop, Loops, certify, html, loops
 from ._measures import Balls, Measures, RemovalCosts, Way, measure, removal_costs
 from ._pictures import picture
@@ -75,6 +77,7 @@ __all__ = [
     "Throat",
     "Way",
     "certify",
+    "clean",
     "curve_skeleton",
     "cut_to_disk",
     "dual_cuts",

@@ -29,6 +29,13 @@ def repair(
     watch: Watch,
     steps: Optional[List[str]] = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]: ...
+def clean(
+    points: np.ndarray,
+    faces: Sequence[np.ndarray],
+    chosen: _Record,
+    threads: int,
+    watch: Watch,
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray, _Record]: ...
 def loops(
     points: np.ndarray,
     triangles: np.ndarray,

@@ -31,6 +31,7 @@ def remove_handles(
     pairs: Union[None, int, Sequence[int], Mapping[int, Optional[Way]]] = None,
     box: Any = None,
     necks: Optional[Length] = None,
+    channels: Optional[Length] = None,
     bores: Optional[Tuple[Optional[float], Optional[float]]] = None,
     by: Way = "smallest-change",
     force: bool = False,
@@ -50,6 +51,8 @@ def remove_handles(
         mapping, each with a way of its own, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
     necks : as shorter_than; shorter loops at which shells come apart go, too
+    channels : as shorter_than: leaks from an outer wall to an inner one, of which the inner wall comes off by
+        that, and nothing else
     bores : (least, largest): round bores of a diameter in this range, in the unit of the coordinates; None
         for no limit, so that (None, None) are all of them. Of a stepped bore, or one with counterbores, the
         narrowest cylinder counts; slots have no diameter
@@ -77,7 +80,7 @@ def remove_handles(
     if isinstance(pairs, Mapping):
         methods = {n: word("pairs", way, get_args(Way)) for n, way in pairs.items() if way is not None}
         pairs = list(pairs)
-    lengths = {"shorter_than": shorter_than, "necks": necks}
+    lengths = {"shorter_than": shorter_than, "necks": necks, "channels": channels}
     chosen: Dict[str, Any] = dict(
         genus=None if genus is None else whole("genus", genus),
         pairs=None if pairs is None else wholes("pairs", pairs),

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Triangle_arrays.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/bounding_box.h>
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,13 @@ inline bool is_finite(const Point& p) {
 inline double diagonal_of(const CGAL::Bbox_3& box) {
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
+
+inline CGAL::Bbox_3 box_of(const Mesh& mesh) {
+  return CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+}
+
+/// the diagonal of the box of a mesh.
+inline double diagonal_of(const Mesh& mesh) { return diagonal_of(box_of(mesh)); }
 
 /// a line without elements that are equal to the one before; if it is closed, the last one comes
 /// before the first.

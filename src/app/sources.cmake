@@ -12,7 +12,12 @@ set(HTLOOPS_APP_SOURCES
   solve/reeb_solver.cpp
   solve/skeleton_solver.cpp
   solve/throat_solver.cpp
-  solve/removal_solver.cpp)
+  solve/removal_solver.cpp
+  clean/crossings.cpp
+  clean/holes.cpp
+  clean/parts.cpp
+  clean/soup_cleaning.cpp
+  clean/cleaning.cpp)
 if(HTL_HAS_EIGEN)
   list(APPEND HTLOOPS_APP_SOURCES solve/reference_backend.cpp)
 endif()
@@ -67,6 +72,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   write/Gltf_document.cpp
   write/Zip_archive.cpp
   write/channel_formats.cpp
+  write/clean_report.cpp
   write/documents.cpp
   write/dual_formats.cpp
   write/files.cpp

@@ -19,6 +19,13 @@
 
 namespace htloops {
 
+/// a line of a table, or a part of one, as `std::snprintf()` writes it.
+template <typename... Values> std::string formatted(const char* format, Values... values) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
 /// a number with its noun: "1 edge", "3 edges".
 inline std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);

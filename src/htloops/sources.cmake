@@ -1,6 +1,7 @@
 set(HTLOOPS_COMMANDS_SOURCES
   commands/check_command.cpp
   commands/claims.cpp
+  commands/clean_command.cpp
   commands/cut_command.cpp
   commands/generate_command.cpp
   commands/help.cpp
@@ -15,4 +16,5 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/repair_command.cpp
   commands/skeleton_command.cpp
   commands/tool.cpp
+  commands/vertex_values.cpp
   terminal/terminal.cpp)

@@ -21,6 +21,81 @@ def test_who_prints_a_scan_gets_a_solid_without_its_noise(tool):
         assert judges.slicer(tool.folder / result)["manifold"] == "yes"
 
 
+def placed(mesh, scale, shift, is_turned=False):
+    points, faces = mesh
+    return ([tuple(scale * x + s for x, s in zip(p, shift)) for p in points],
+            [tuple(reversed(f)) if is_turned else tuple(f) for f in faces])
+
+
+def joined(*meshes):
+    points, faces = [], []
+    for own_points, own_faces in meshes:
+        faces += [tuple(v + len(points) for v in f) for f in own_faces]
+        points += own_points
+    return points, faces
+
+
+def test_who_makes_models_by_ai_gets_one_solid_that_a_slicer_fills(tool):
+    """GLB by another program, with an inner wall, leaks, crumbs and a part that is inside out, to STL and 3MF."""
+    tool.run("generate", "hollow", "--faces", 60000, "--genus", 0, "--necks", 3, "-o", "hollow.off", "-q")
+    body = read_off(tool.folder / "hollow.off")
+    points, quads = torus(around=16, across=8)
+    ring = points, triangles_of(quads)
+    crumbs = [placed(ring, 0.01, (0.1 * i - 0.2, 0.0, 2.5 + 0.2 * i)) for i in range(5)]
+    bulb = placed(ring, 0.3, (0.0, 4.0, 0.0), is_turned=True)
+    buried = placed(ring, 0.05, (0.0, 0.0, 0.3))
+    write_off(tool.folder / "model.off", *joined(*crumbs[:2], body, bulb, buried, *crumbs[2:]))
+    tool.run("repair", "model.off", "-o", "model.obj", "-q")
+    judges.exported_by_assimp(tool.folder / "model.obj", tool.folder / "model.glb")
+    told = tool.run("clean", "model.glb", "solid.stl", "--channels", "10%", "--report", "report.json",
+                    "--html", "page.html")
+    report = json.loads((tool.folder / "report.json").read_text())
+    counts = {step["step"]: step["count"] for step in report["steps"]}
+    assert (counts["channels"], counts["floaters"], counts["shells"]) == (3, 5, 2)
+    assert counts["orient"] >= 1 and "channels" in told.stdout
+    assert (report["after"]["parts"], report["after"]["genus"], report["after"]["boundaries"]) == (2, 1, 0)
+    assert report["after"]["crossings"] == 0
+    said = judges.manifold(*read_stl(tool.folder / "solid.stl"), tool.folder)
+    assert said["status"] in ("0", "NoError") and said["genus"] == 1
+    assert said["volume"] == pytest.approx(report["after"]["volume"], rel=1e-4)
+    tool.run("clean", "model.glb", "solid.3mf", "--channels", "10%", "-q")
+    for result in ("solid.stl", "solid.3mf"):
+        words = judges.slicer(tool.folder / result)
+        assert words["manifold"] == "yes" and words["number_of_parts"] == "2"
+        assert float(words["volume"]) == pytest.approx(report["after"]["volume"], rel=1e-3)
+
+
+def test_who_prints_a_scan_with_holes_gets_a_closed_solid(tool):
+    """STL with noise handles, holes and crumbs, to a 3MF without them."""
+    tool.run("generate", "scan", "--faces", 40000, "-o", "scan.off", "-q")
+    points, faces = read_off(tool.folder / "scan.off")
+    faces = [f for i, f in enumerate(faces) if i % 997]
+    points, quads = joined((points, faces), placed((torus()[0], triangles_of(torus()[1])), 1e-3, (9.0, 9.0, 9.0)))
+    write_stl(tool.folder / "scan.stl", points, quads)
+    before = tool.run("clean", "scan.stl", "--dry-run", "--report", "before.json")
+    left = {s["step"]: s["left"] for s in json.loads((tool.folder / "before.json").read_text())["steps"]}
+    assert left["handles"] and "--genus" in before.stdout
+    tool.run("clean", "scan.stl", "clean.3mf", "--genus", 0, "--report", "report.json", "-q")
+    report = json.loads((tool.folder / "report.json").read_text())
+    assert report["before"]["boundaries"] > 10 and report["before"]["parts"] == 2
+    assert report["after"]["boundaries"] == 0 and report["after"]["parts"] == 1
+    assert report["after"]["genus"] < report["before"]["genus"]
+    assert judges.slicer(tool.folder / "clean.3mf")["manifold"] == "yes"
+
+
+def test_who_cleans_what_is_clean_gets_the_same(tool):
+    """And who has nothing but a sheet is told that it is not closed, with the sheet."""
+    points, quads = torus()
+    write_off(tool.folder / "ring.off", points, triangles_of(quads))
+    tool.run("clean", "ring.off", "same.off", "-q")
+    assert read_off(tool.folder / "same.off") == read_off(tool.folder / "ring.off")
+    write_off(tool.folder / "quads.off", points, quads[:-3])
+    tool.run("clean", "quads.off", "open.off", "--skip", "holes", code=4)
+    assert len(read_off(tool.folder / "open.off")[1]) == 2 * len(quads) - 6
+    assert "--skip" in tool.run("clean", "ring.off", "same.off", "--skip", "hole", code=2).stderr
+    assert "OUT" in tool.run("clean", "ring.off", code=2).stderr
+
+
 def test_who_paints_textures_gets_charts_of_the_quadrangles(tool):
     """OBJ with quadrangles, to an OBJ with texture coordinates and the same quadrangles."""
     points, quads = torus()

@@ -19,6 +19,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
 #include <array>
@@ -339,6 +340,36 @@ void write_removal_page(const std::string& file, const View& view, const Removal
   add_handles(scene, shown.pairs, shown.report.refused);
   add_necks(scene, shown.report.removed_necks);
   add_necks(scene, shown.report.refused_necks);
+  write_page(file, scene);
+}
+
+void write_clean_page(const std::string& file,
+                      const std::string& mesh_file,
+                      const Mesh& before,
+                      const Cleaned_mesh& cleaned,
+                      const std::string& summary) {
+  htl_window::Scene scene = scene_of({}, "Cleaned:", mesh_file, "before", drawn_surface(before));
+  scene.paragraphs = lines_of(summary);
+  scene.surfaces.push_back(surface_of("after", drawn_surface(cleaned.mesh)));
+  // By fate: kept, replaced, small part, shell; then what is new.
+  const std::vector<Colour> colours = {
+      {204, 212, 222}, {213, 94, 0}, {230, 159, 0}, {86, 180, 233}, {0, 158, 115}};
+  for(htl_window::Surface& surface : scene.surfaces)
+    surface.part_colours = colours;
+  for(const Face_fate fate : cleaned.fates)
+    scene.surfaces[0].triangle_parts.push_back(static_cast<std::uint32_t>(fate));
+  for(const std::int64_t origin : cleaned.face_parents)
+    scene.surfaces[1].triangle_parts.push_back(origin == nothing_before ? 4 : 0);
+  scene.groups = {{"channels and handles that were closed", {170, 0, 90}}};
+  for(const std::vector<Point>& loop : cleaned.closed_loops)
+    add_line(scene, loop, true, 0);
+  scene.table.columns = {{"step", false}, {"count", true}, {"done", false}, {"left", false}};
+  for(const Clean_record& record : cleaned.records) {
+    scene.table.rows.push_back({name_of(record.step), std::to_string(record.count),
+                                boost::algorithm::join(record.done, "; "),
+                                boost::algorithm::join(record.left, "; ")});
+    scene.table.lengths.push_back(0.);
+  }
   write_page(file, scene);
 }
 

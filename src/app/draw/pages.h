@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_PAGES_H
 #define HTLOOPS_PAGES_H
 
+#include "clean/cleaning.h"
 #include "draw/view.h"
 #include "mesh_types.h"
 #include "solve/answer.h"
@@ -68,6 +69,15 @@ struct Removal_shown
 /// writes a page in which both meshes can be turned, with the loops of these pairs and what became
 /// of each.
 void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown);
+
+/// writes a page in which a mesh can be turned as it was before it was cleaned, with small parts
+/// and shells in colours, and as it is afterwards, with what is new of it in another one; loops
+/// show where channels were closed and handles removed.
+void write_clean_page(const std::string& file,
+                      const std::string& mesh_file,
+                      const Mesh& before,
+                      const Cleaned_mesh& cleaned,
+                      const std::string& summary);
 
 } // namespace htloops
 

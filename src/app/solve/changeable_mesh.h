@@ -12,15 +12,18 @@
 
 #include "mesh_types.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace htloops {
 
-/// What a mesh becomes in order to be changed.
-using Changeable_mesh = CGAL::Surface_mesh<Point>;
+/// What a mesh becomes in order to be changed. Its kernel decides exactly.
+using Changeable_mesh =
+    CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Changeable_pairs = std::vector<CGAL::Handle_tunnel_pair<Changeable_mesh>>;
 
 /// A changeable copy of a mesh, with the numbers of its vertices and faces.
@@ -29,6 +32,7 @@ struct Changeable_copy
   Changeable_mesh mesh;
   std::vector<Changeable_mesh::Halfedge_index> halfedges; ///< by those of the original
 
+  /// what is put in gets new numbers, whatever is taken out.
   explicit Changeable_copy(const Mesh& original);
 
   /// loops of the original, on the copy while it has not been changed.
@@ -45,10 +49,21 @@ struct Changed_mesh
 {
   Mesh mesh;
   Origins vertex_origins, face_origins;
-  std::vector<std::size_t> faces; ///< of each face, its number in the copy
+  Origins face_parents; ///< of which face before each face is a part, or which one it was
+  std::vector<std::size_t> faces = {}; ///< of each face, its number in the copy
 };
 
-Changed_mesh changed_mesh(const Changeable_mesh& copy, const Mesh& original);
+/// faces of a copy that are parts of what was there before.
+using Face_parents = std::map<Changeable_mesh::Face_index, Changeable_mesh::Face_index>;
+
+Changed_mesh
+changed_mesh(const Changeable_mesh& copy, const Mesh& original, const Face_parents& parents = {});
+
+/// a mesh that has not been changed yet.
+Changed_mesh unchanged_mesh(const Mesh& mesh);
+
+/// what was changed twice, by what was there before the first change.
+Changed_mesh composed(const Changed_mesh& first, Changed_mesh second);
 
 } // namespace htloops
 

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -37,7 +36,6 @@ void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
 }
 
 using Changeable_pair = Changeable_pairs::value_type;
-using Changeable_face = Changeable_mesh::Face_index;
 
 // Which pairs may be looked at, by number.
 std::function<bool(const Changeable_pair&)> filter_of(const Removal_options& options,
@@ -104,7 +102,7 @@ Removal_answer remove_handles(const Mesh& mesh,
   const CGAL::Handle_tunnel_loops::Removal_options& wanted = options;
   Changeable_copy copy(mesh);
   const Changeable_pairs loops = copy.pairs(pairs);
-  std::map<Changeable_face, Changeable_face> parents;
+  Face_parents parents;
   const auto filtered = parameters::callback(progress.callback())
                             .filter(filter_of(options, pairs.size()))
                             .face_to_face_map(boost::make_assoc_property_map(parents));
@@ -115,11 +113,7 @@ Removal_answer remove_handles(const Mesh& mesh,
       copy.mesh, parameters::removal_options(wanted, parameters::known_loops(loops, filtered)));
   answer.total_seconds = stopwatch.seconds();
   progress.end();
-  static_cast<Changed_mesh&>(answer) = changed_mesh(copy.mesh, mesh);
-  answer.face_parents = answer.face_origins;
-  for(std::size_t f = 0; f < answer.faces.size(); ++f)
-    if(const auto parent = parents.find(Changeable_face(answer.faces[f])); parent != parents.end())
-      answer.face_parents[f] = parent->second.idx();
+  static_cast<Changed_mesh&>(answer) = changed_mesh(copy.mesh, mesh, parents);
   return answer;
 }
 

@@ -39,7 +39,6 @@ struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
 struct Removal_answer : Changed_mesh
 {
   Removal_report report;
-  Origins face_parents; ///< of which face before each face is a part, or which one it was
   double total_seconds = 0.;
   int number_of_threads = 1;
 };

@@ -11,7 +11,7 @@
 
 #include "file_names.h"
 #include "version.h"
-#include "write/files.h"
+#include "write/Json_writer.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"
 #include "write/throat_tables.h"
@@ -30,46 +30,6 @@ namespace htloops {
 namespace {
 
 using CGAL::Handle_tunnel_loops::Stage;
-
-// A file with an object of JSON, written member by member, each on a line of its own; of a long
-// array each element. So a thousand long loops are no tree to keep in memory.
-class Json_writer
-{
-public:
-  explicit Json_writer(const std::string& target)
-      : out_(target) {}
-
-  void member(const char* name, const Json& value) {
-    begin_member(name);
-    out_ << text_of(value);
-  }
-
-  // writes an array of what `json_of(element)` makes of the elements of a range.
-  template <typename Range, typename Json_of>
-  void array(const char* name, const Range& range, Json_of json_of) {
-    begin_member(name);
-    const char* separator = "[\n    ";
-    for(const auto& element : range) {
-      out_ << separator << text_of(json_of(element));
-      separator = ",\n    ";
-    }
-    out_ << (*separator == '[' ? "[]" : "\n  ]");
-  }
-
-  void finish() {
-    out_ << "\n}\n";
-    out_.finish();
-  }
-
-private:
-  void begin_member(const char* name) {
-    out_ << separator_ << "\n  \"" << name << "\": ";
-    separator_ = ",";
-  }
-
-  Text_writer out_;
-  const char* separator_ = "{";
-};
 
 Json json_of_point(const Point& point) {
   return std::array<double, 3>{point.x(), point.y(), point.z()};
@@ -580,17 +540,20 @@ void write_removal_json(const std::string& file, const Removal_report& report) {
   document.finish();
 }
 
-void write_map_json(const std::string& target, const Mesh& before, const Removal_answer& answer) {
+void write_map_json(const std::string& target,
+                    std::size_t number_of_vertices_before,
+                    std::size_t number_of_faces_before,
+                    const Changed_mesh& changed) {
   const auto json_of_origin = [](std::int64_t origin) {
     return origin == nothing_before ? Json() : Json(origin);
   };
   Json_writer out(target);
   out.member("format", "htloops-map/1");
-  out.member("vertices_before", before.number_of_vertices());
-  out.member("faces_before", before.number_of_faces());
-  out.array("vertices", answer.vertex_origins, json_of_origin);
-  out.array("faces", answer.face_origins, json_of_origin);
-  out.array("face_parents", answer.face_parents, json_of_origin);
+  out.member("vertices_before", number_of_vertices_before);
+  out.member("faces_before", number_of_faces_before);
+  out.array("vertices", changed.vertex_origins, json_of_origin);
+  out.array("faces", changed.face_origins, json_of_origin);
+  out.array("face_parents", changed.face_parents, json_of_origin);
   out.finish();
 }
 

@@ -65,7 +65,10 @@ void write_removal_json(const std::string& file, const Removal_report& report);
 
 /// writes in the format "htloops-map/1" which vertex and face each one of the result was before, or
 /// none, and of which face each face is a part.
-void write_map_json(const std::string& target, const Mesh& before, const Removal_answer& answer);
+void write_map_json(const std::string& target,
+                    std::size_t number_of_vertices_before,
+                    std::size_t number_of_faces_before,
+                    const Changed_mesh& changed);
 
 /// writes the cuts, with the loops that they cross, as a document of format "htloops-dual/1".
 void write_dual_cuts_json(const std::string& target, const Mesh& mesh, const Dual_cuts& cuts);

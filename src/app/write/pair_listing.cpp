@@ -114,12 +114,6 @@ std::optional<Handle> find_pair(const std::vector<Handle>& handles, std::size_t 
 
 } // namespace
 
-CGAL::Bbox_3 box_of(const Mesh& mesh) {
-  return CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
-}
-
-double diagonal_of(const Mesh& mesh) { return diagonal_of(box_of(mesh)); }
-
 Point middle_of(const CGAL::Bbox_3& box) {
   const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
   return {middle(0), middle(1), middle(2)};

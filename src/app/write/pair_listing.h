@@ -96,14 +96,8 @@ Pair_listing list_removals(const Pair_listing& listing, const Removal_report& re
 Pair_listing
 list_pairs(const Mesh& mesh, const Answer& answer, const Listing_options& options = {});
 
-/// the diagonal of the bounding box.
-double diagonal_of(const Mesh& mesh);
-
 /// the middle of a box.
 Point middle_of(const CGAL::Bbox_3& box);
-
-/// the bounding box.
-CGAL::Bbox_3 box_of(const Mesh& mesh);
 
 /// what is told of one pair on a mesh with this box.
 Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bbox_3& box_of_mesh);

@@ -16,23 +16,15 @@
 #include "solve/reeb_solver.h"
 #include "solve/removal_solver.h"
 #include "solve/skeleton_solver.h"
+#include "words.h"
 #include "write/pair_listing.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace htloops {
-
-/// a line of a table, or a part of one, as `std::snprintf()` writes it.
-template <typename... Values> std::string formatted(const char* format, Values... values) {
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 /// A column of a table for a person.
 struct Table_column

@@ -29,6 +29,7 @@ void add_reeb_command(CLI::App& app, Command& command);
 void add_skeleton_command(CLI::App& app, Command& command);
 void add_cut_command(CLI::App& app, Command& command);
 void add_remove_command(CLI::App& app, Command& command);
+void add_clean_command(CLI::App& app, Command& command);
 void add_repair_command(CLI::App& app, Command& command);
 void add_check_command(CLI::App& app, Command& command);
 void add_generate_command(CLI::App& app, Command& command);

@@ -11,7 +11,6 @@
 #include "app/draw/pages.h"
 #include "app/failure.h"
 #include "app/file_names.h"
-#include "app/read/vertex_data.h"
 #include "app/solve/backends.h"
 #include "app/solve/certification.h"
 #include "app/solve/details.h"
@@ -25,11 +24,10 @@
 #include "commands/command.h"
 #include "commands/loops_options.h"
 #include "commands/remove_options.h"
+#include "commands/vertex_values.h"
 #include "terminal/terminal.h"
 
 #include <CGAL/number_utils.h>
-
-#include <boost/algorithm/string/join.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -39,32 +37,11 @@
 namespace htloops {
 namespace {
 
-// What of the mesh's data will be in the result; says what will not.
-Vertex_properties
-properties_to_keep(const Input_file& file, const File_facts& facts, const Remove_options& options) {
-  if(options.is_dry_run || options.result_file.empty())
-    return {};
-  Vertex_properties kept = kept_by_format(options.result_file, read_vertex_properties(file));
-  std::vector<std::string> unread = unread_data(file, kept);
-  unread.insert(unread.end(), facts.unread.begin(), facts.unread.end());
-  const std::string list = boost::algorithm::join(unread, "; ");
-  if(!list.empty() && !options.is_quiet)
-    std::fprintf(stderr, "htloops: of %s is not kept: %s\n", printable(options.mesh_file).c_str(),
-                 list.c_str());
-  return kept;
-}
-
-// A copy of a vertex has its values.
-void extend(Vertex_properties& properties, const std::vector<std::uint32_t>& origins) {
-  for(Vertex_property& property : properties)
-    for(const std::uint32_t origin : origins)
-      property.values.push_back(double(property.values[origin]));
-}
-
 std::pair<Mended_mesh, Vertex_properties> read(const Remove_options& options) {
   const Input_file file = input_of(options);
   Mended_mesh mended = read_mended_mesh(options, file);
-  Vertex_properties properties = properties_to_keep(file, mended.facts, options);
+  Vertex_properties properties = values_to_keep(
+      file, mended.facts, options.is_dry_run ? "" : options.result_file, options.is_quiet);
   extend(properties, mended.origins);
   return {std::move(mended), std::move(properties)};
 }
@@ -251,7 +228,7 @@ void run(const Remove_options& options) {
     spread_properties(removal, properties);
     write_mesh(options.result_file, removal.mesh, properties, "", mended.facts);
     if(!options.map_file.empty())
-      write_map_json(options.map_file, mesh, removal);
+      write_map_json(options.map_file, mesh.number_of_vertices(), mesh.number_of_faces(), removal);
   }
   write_files(options, mesh, answer, removal, told);
   if(!options.is_quiet)

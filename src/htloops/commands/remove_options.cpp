@@ -111,6 +111,9 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
       add_length(command, "--necks", options.necks,
                  "handles with a loop that is shorter, and necks:\n"
                  "shorter loops at which shells come apart"),
+      add_length(command, "--channels", options.channels,
+                 "leaks from an outer wall to an inner one, shorter around,\n"
+                 "of which the inner wall comes off by that"),
       add_noise_option(command, options.noise_below, "handles"),
       add_bores_option(command, options.bores),
   };
@@ -131,9 +134,10 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
                    "also where that is no repair: where the bounding box\n"
                    "would grow, a cap be far larger than its hole, ...");
   add_precision_option(command, options.precision);
-  command.add_flag("--yes", options.is_sure,
-                   "also where --shorter-than, --necks or --noise-below is more than the\n"
-                   "diagonal of the box: then it may be a percentage without %");
+  command.add_flag(
+      "--yes", options.is_sure,
+      "also where --shorter-than, --necks, --channels or --noise-below is more than the\n"
+      "diagonal of the box: then it may be a percentage without %");
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from what 'htloops loops MESH -o' wrote")
@@ -170,7 +174,7 @@ void add_display_options(CLI::App& command, Remove_options& options) {
 bool has_choice(const Remove_options& options) {
   return options.are_all_meant || options.genus || !options.shorter_than.empty() ||
          !options.pairs.empty() || !options.box.empty() || !options.necks.empty() ||
-         !options.noise_below.empty() || !options.bores.empty();
+         !options.channels.empty() || !options.noise_below.empty() || !options.bores.empty();
 }
 
 void check_remove_options(const Remove_options& options) {
@@ -179,6 +183,7 @@ void check_remove_options(const Remove_options& options) {
   check_mesh_format(options.result_file);
   parse_length("--shorter-than", options.shorter_than);
   parse_length("--necks", options.necks);
+  parse_length("--channels", options.channels);
   parse_length("--noise-below", options.noise_below);
   parse_precision(options.precision);
   box_of(options.box);
@@ -189,6 +194,8 @@ void check_remove_options(const Remove_options& options) {
     if(methods.at(options.method) == Removal_method::CUT)
       throw wrong_usage("--bores are filled: not with --by cut");
   }
+  if(!options.channels.empty() && methods.at(options.method) == Removal_method::CUT)
+    throw wrong_usage("--channels are filled: not with --by cut");
   if(!options.map_file.empty() && options.is_dry_run)
     throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
                       "--dry-run");
@@ -204,6 +211,7 @@ void check_lengths(const Remove_options& options, double diagonal) {
     return;
   check_length("--shorter-than", options.shorter_than, diagonal);
   check_length("--necks", options.necks, diagonal);
+  check_length("--channels", options.channels, diagonal);
   check_length("--noise-below", options.noise_below, diagonal);
 }
 
@@ -222,6 +230,10 @@ Removal_options removal_options(const Remove_options& options, double diagonal) 
   removal.box = box_of(options.box);
   if(const auto length = parse_length("--necks", options.necks, diagonal))
     removal.maximal_length = removal.maximal_neck_length = *length;
+  if(const auto length = parse_length("--channels", options.channels, diagonal)) {
+    removal.maximal_length = removal.maximal_neck_length = *length;
+    removal.only_channels = true;
+  }
   if(!options.bores.empty()) {
     const auto [least, most] = parse_range(options.bores);
     removal.minimal_bore_diameter = least;

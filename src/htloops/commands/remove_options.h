@@ -33,6 +33,7 @@ struct Remove_options : Common_options
   std::vector<std::string> pairs; ///< numbers, some with a way: "5", "1:fill"
   std::vector<double> box;
   std::string necks;
+  std::string channels;
   std::string noise_below;
   std::string precision = "1%";
   std::string bores; ///< "MIN:MAX", either of them may be missing

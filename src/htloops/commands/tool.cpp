@@ -191,6 +191,7 @@ int run_tool(int argc, char** argv) {
   add_skeleton_command(app, command);
   add_cut_command(app, command);
   add_remove_command(app, command);
+  add_clean_command(app, command);
   add_repair_command(app, command);
   add_check_command(app, command);
   add_generate_command(app, command);

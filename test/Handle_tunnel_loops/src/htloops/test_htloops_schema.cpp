@@ -299,7 +299,8 @@ TEST(Map_schema, fits_what_is_written) {
   const Mesh before = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}});
   const Removal_answer answer = remove_handles(before, find_loops(before), {}, told);
   const Mesh& mesh = answer.mesh;
-  write_map_json(folder.path("a.json"), before, answer);
+  write_map_json(folder.path("a.json"), before.number_of_vertices(), before.number_of_faces(),
+                 answer);
   const json document = json::parse(folder.read("a.json"));
   schema.expect_fits(document);
   schema.expect_refuses(document, {[](json& d) { d["vertices"][0] = -1; },

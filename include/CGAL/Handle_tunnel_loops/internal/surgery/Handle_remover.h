@@ -219,7 +219,7 @@ private:
                          VertexIndexMap vertex_index,
                          FaceIndexMap face_index) {
     Attempt attempt = attempt_at(tasks, Removal_effort::ALL_LOOPS, vertex_index, face_index);
-    if(may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
+    if(!options_.only_channels && may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
       Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::ALL_LOOPS,
                                  vertex_index, face_index);
       if(number_left(other.tasks) < number_left(attempt.tasks))

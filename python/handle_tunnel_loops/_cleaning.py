@@ -1,0 +1,95 @@
+"""Closed solids, made of meshes with something wrong."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, Literal, Optional, Tuple, Union, get_args
+
+import numpy as np
+
+from . import _core
+from ._arguments import length_or_none, threads_of, whole, word
+from ._meshes import soup
+from ._waiting import computed
+
+CleanStep = Literal["repair", "holes", "orient", "channels", "floaters", "shells", "handles"]
+
+# Numbers, or such as "3%".
+Length = Union[float, str]
+
+
+def clean(
+    V: Any,
+    F: Any = None,
+    *,
+    skip: Union[CleanStep, Iterable[CleanStep]] = (),
+    weld: Optional[Length] = None,
+    channels: Length = "3%",
+    floaters: Union[float, str] = "0.1%",
+    genus: Optional[int] = None,
+    noise_below: Optional[Length] = None,
+    threads: Optional[int] = 0,
+    progress: Any = None,
+) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
+    """A closed solid, made of a mesh with something wrong, for a printer, say.
+
+    It does what it can justify, and lists what it leaves: points stay where they are, and the result has no
+    crossing that the mesh did not have. The steps: "repair" makes an oriented manifold of triangles of it,
+    welded where it nearly is; "holes": boundary curves are closed, where a cap fits; "orient": parts that are
+    inside out are turned over; "channels": leaks from an outer wall to an inner one are closed, if the inner
+    wall comes off by that; "floaters": small parts that touch no other one go; "shells": what lies inside of
+    another part goes; "handles": none goes, unless genus or noise_below says which.
+
+    Parameters
+    ----------
+    V, F : arrays of shape (n, 3) and (m, k), k from 3 on, or one mesh object; it need not be a surface
+    skip : steps that are left out
+    weld : vertices of open edges that are so near to each other become one; default: only those that are
+        nearly at the same place. Lengths are in the unit of the coordinates, or a share of the diagonal of
+        the box of the mesh: "3%"
+    channels : how long around channels are, at most
+    floaters : the share of the volume below which a part is small: 0.001 or "0.1%"
+    genus : the smallest handles go until so many are left
+    noise_below : handles of which the thickness or the clear width is less go
+    threads, progress : as for `loops`
+
+    Returns
+    -------
+    V, F : the new mesh; what stays keeps its order
+    face_origin : (m',): for each face the face of the given mesh that it is, or is a part of where that was
+        cut into triangles, or -1 if it is new
+    report : closed, whether the result is; before and after (vertices, faces, parts, boundaries, genus,
+        crossings, volume); steps, a list of dictionaries: step, count, and in words what was done and what
+        is left. vertex_origin : (n',): for each vertex the one of the given mesh that it is, or -1 if it is
+        new; face_parent : (m',): as face_origin, also of faces that are parts at the rims of caps
+
+    Raises MeshError if no surface can be made of it.
+    """
+    steps = [skip] if isinstance(skip, str) else list(skip)
+    if genus is not None and noise_below is not None:
+        raise ValueError("genus and noise_below cannot be given together")
+    chosen: Dict[str, Any] = dict(
+        skip=[word("skip", step, get_args(CleanStep)) for step in steps],
+        weld=_length("weld", weld),
+        channels=_length("channels", channels),
+        floaters=_share(floaters),
+        genus=None if genus is None else whole("genus", genus),
+        noise_below=_length("noise_below", noise_below),
+    )
+    return computed("clean", progress, _core.clean, *soup(V, F), chosen, threads_of(threads))
+
+
+# A length, and whether it is a share of the diagonal.
+def _length(name: str, value: Optional[Length]) -> Optional[Tuple[float, bool]]:
+    length = length_or_none(name, value)
+    if length is None:
+        return None
+    if not length > 0:
+        raise ValueError(f"{name} is not positive")
+    return length, isinstance(value, str)
+
+
+def _share(value: Any) -> float:
+    share = length_or_none("floaters", value)
+    if share is None or not 0 <= share <= 1:
+        raise ValueError('floaters is a share of the volume, such as 0.001 or "0.1%"')
+    return share

@@ -1,0 +1,430 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "clean/cleaning.h"
+
+#include "clean/crossings.h"
+#include "clean/holes.h"
+#include "clean/parts.h"
+#include "solve/backends.h"
+#include "solve/details.h"
+#include "words.h"
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Face = Changeable_mesh::Face_index;
+
+double absolute(const Relative_length& length, const Mesh& mesh) {
+  return length.is_share ? length.value * diagonal_of(mesh) : length.value;
+}
+
+// Small parts are little of the volume, and of the area: what is thin and wide is no crumb. What
+// has a boundary that cannot be closed has no volume, and may be wider.
+class Floaters
+{
+public:
+  Floaters(const std::vector<Part>& parts, double share)
+      : share_(share) {
+    for(const Part& part : parts)
+      if(part.depth == 0) {
+        volume_ += part.volume;
+        area_ += part.area;
+        if(largest_ == nullptr || size_of(part) > size_of(*largest_))
+          largest_ = &part;
+      }
+  }
+
+  double volume() const { return volume_; }
+
+  bool is_small(const Part& part) const {
+    return &part != largest_ && part.depth == 0 &&
+           (is_scrap(part) ||
+            (part.volume < share_ * volume_ && part.area < std::pow(share_, 2. / 3.) * area_));
+  }
+
+  bool is_floater(const Part& part) const {
+    return is_small(part) && (!part.crosses_others || is_scrap(part));
+  }
+
+private:
+  bool is_scrap(const Part& part) const {
+    constexpr double most = 0.05; // of the area
+    return share_ > 0. && !part.is_closed && part.area < most * area_;
+  }
+
+  static std::pair<double, double> size_of(const Part& part) { return {part.volume, part.area}; }
+
+  double share_, volume_ = 0., area_ = 0.;
+  const Part* largest_ = nullptr;
+};
+
+// Shells are hidden by what they lie inside of.
+bool is_shell(const Part& part) { return part.depth > 0; }
+
+std::size_t turn_over(Changeable_mesh& mesh, const Parts& parts) {
+  std::vector<Face> turned;
+  for(const Face f : mesh.faces())
+    if(parts.part_of(f).is_turned())
+      turned.push_back(f);
+  PMP::reverse_face_orientations(turned, mesh);
+  return std::size_t(std::count_if(parts.all.begin(), parts.all.end(),
+                                   [](const Part& part) { return part.is_turned(); }));
+}
+
+Mesh_state state_of(const Changeable_mesh& mesh, const Crossings& crossings) {
+  const Parts parts = measured_parts(mesh);
+  Mesh_state state;
+  for(const auto v : mesh.vertices())
+    state.vertices += !mesh.is_isolated(v);
+  state.faces = mesh.number_of_faces();
+  state.parts = parts.all.size();
+  std::vector<Changeable_mesh::Halfedge_index> borders;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  state.boundaries = borders.size();
+  state.crossings = crossings.size();
+  // V - E + F = 2 c - 2 g - b
+  state.genus =
+      (2 * state.parts + mesh.number_of_edges() - state.boundaries - state.vertices - state.faces) /
+      2;
+  for(const Part& part : parts.all)
+    state.volume += borders.empty() ? part.orientation * part.volume : 0.;
+  return state;
+}
+
+std::string words_of_handles(const Removal_report& report) {
+  return "genus " + std::to_string(report.genus_before) + " -> " +
+         std::to_string(report.genus_after);
+}
+
+class Cleaner
+{
+public:
+  Cleaner(const Mesh& mesh, const Clean_options& options, Progress& progress)
+      : mesh_(mesh)
+      , options_(options)
+      , progress_(progress) {
+    static_cast<Changed_mesh&>(result_) = unchanged_mesh(mesh);
+    result_.fates.assign(mesh.number_of_faces(), Face_fate::KEPT);
+  }
+
+  Cleaned_mesh operator()() {
+    const Stopwatch stopwatch;
+    progress_.start("clean");
+    close_surface();
+    if(options_.has(Clean_step::CHANNELS))
+      close_channels();
+    drop_parts();
+    if(options_.has(Clean_step::HANDLES))
+      remove_small_handles();
+    find_replaced_faces();
+    result_.total_seconds = stopwatch.seconds();
+    return std::move(result_);
+  }
+
+private:
+  void go_on_with(const Changed_mesh& changed) {
+    static_cast<Changed_mesh&>(result_) = composed(result_, changed);
+  }
+
+  // What was removed may have been crossed; what was put in is not.
+  void go_on_without_handles(const Changed_mesh& changed) {
+    go_on_with(changed);
+    if(!crossings_.empty())
+      crossings_ = crossings_of(Changeable_copy(result_.mesh).mesh);
+  }
+
+  // ---- the surface
+
+  // Which side is which is known where a part is closed.
+  void close_surface() {
+    Changeable_copy copy(result_.mesh);
+    result_.before = state_of(copy.mesh, {});
+    Clean_record holes{Clean_step::HOLES};
+    if(options_.has(Clean_step::HOLES) && result_.before.boundaries > 0) {
+      Closed_holes closed = close_holes(copy.mesh);
+      describe(closed, holes);
+      crossings_ = std::move(closed.crossings);
+    } else
+      crossings_ = crossings_of(copy.mesh);
+    result_.before.crossings = crossings_.size();
+    if(options_.has(Clean_step::HOLES))
+      result_.records.push_back(holes);
+    if(options_.has(Clean_step::ORIENT))
+      orient(copy.mesh);
+    go_on_with(changed_mesh(copy.mesh, result_.mesh));
+  }
+
+  void orient(Changeable_mesh& mesh) {
+    Clean_record record{Clean_step::ORIENT, turn_over(mesh, parts_of(mesh, crossings_))};
+    if(record.count > 0)
+      record.done = {counted(record.count, "part that was", "parts that were") +
+                     " inside out turned over"};
+    result_.records.push_back(record);
+  }
+
+  static void describe(const Closed_holes& holes, Clean_record& record) {
+    record.count = holes.closed;
+    record.left = holes.open;
+    if(holes.closed > 0)
+      record.done = {counted(holes.closed, "boundary curve", "boundary curves") + " closed, " +
+                     formatted("%s%.4g around", holes.closed > 1 ? "up to " : "", holes.longest)};
+  }
+
+  // ---- channels
+
+  void close_channels() {
+    Clean_record record{Clean_step::CHANNELS};
+    const double most = absolute(options_.channel_length, mesh_);
+    if(!(most > 0.))
+      return; // all points are one
+    const Pairs pairs = find_loops();
+    const Removal_answer answer = remove_channels(pairs, most);
+    record.count = number_of_channels(answer.report);
+    if(record.count > 0) {
+      record.done = {words_of_channels(answer.report)};
+      keep_loops(pairs, answer.report);
+      go_on_without_handles(answer);
+    } else if(const std::string words = words_of_wider_channels(pairs, most); !words.empty())
+      record.left = {words};
+    result_.records.push_back(record);
+  }
+
+  Removal_answer remove_channels(const Pairs& pairs, double most) {
+    Removal_options wanted;
+    wanted.number_of_threads = options_.number_of_threads;
+    wanted.maximal_neck_length = most;
+    wanted.only_channels = true;
+    return remove_handles(result_.mesh, pairs, wanted, progress_);
+  }
+
+  static std::size_t number_of_channels(const Removal_report& report) {
+    return report.removed.size() + report.removed_necks.size();
+  }
+
+  // The last one of those that lead to a wall is a neck.
+  static std::string words_of_channels(const Removal_report& report) {
+    double longest = 0.;
+    for(const auto* some : {&report.removed, &report.removed_necks})
+      for(const Removed_handle& channel : *some)
+        longest = (std::max)(longest, channel.length);
+    const std::size_t number = number_of_channels(report), walls = report.removed_necks.size();
+    return counted(number, "channel", "channels") + " closed, " +
+           formatted("%s%.4g around, ", number > 1 ? "up to " : "", longest) + "so that " +
+           counted(walls, "inner wall is", "inner walls are") + " apart from the outer one";
+  }
+
+  // What a person may mean who finds that nothing was done.
+  std::string words_of_wider_channels(const Pairs& pairs, double most) {
+    constexpr double times = 4.;
+    constexpr std::ptrdiff_t most_handles = 30; // it takes time to try them
+    if(std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+         return pair.tunnel().length() < times * most;
+       }) > most_handles)
+      return "";
+    const Removal_report report = remove_channels(pairs, times * most).report;
+    const double percent = 100. * times * most / diagonal_of(mesh_);
+    return number_of_channels(report) == 0
+               ? ""
+               : formatted("with --channels %.3g%%: ", percent) + words_of_channels(report);
+  }
+
+  Pairs find_loops() {
+    Solve_options options;
+    options.number_of_threads = options_.number_of_threads;
+    return host_backend.solve(result_.mesh, options, progress_).pairs;
+  }
+
+  // As a person would look for them.
+  void keep_loops(const Pairs& pairs, const Removal_report& report) {
+    for(const Removed_handle& handle : report.removed) {
+      const Pair& pair = pairs[handle.pair];
+      result_.closed_loops.push_back(
+          (handle.by == Removal_way::CUT ? pair.handle() : pair.tunnel()).points());
+    }
+  }
+
+  // ---- parts
+
+  void drop_parts() {
+    Changeable_copy copy(result_.mesh);
+    const Parts parts = parts_of(copy.mesh, crossings_);
+    const Floaters floaters(parts.all, options_.floater_share);
+    std::vector<Face_fate> fates;
+    for(const Part& part : parts.all)
+      fates.push_back(options_.has(Clean_step::FLOATERS) && floaters.is_floater(part)
+                          ? Face_fate::FLOATER
+                      : options_.has(Clean_step::SHELLS) && is_shell(part) ? Face_fate::SHELL
+                                                                           : Face_fate::KEPT);
+    if(options_.has(Clean_step::FLOATERS))
+      describe_floaters(parts, floaters, fates);
+    if(options_.has(Clean_step::SHELLS))
+      describe_shells(parts, fates);
+    if(options_.has(Clean_step::ORIENT))
+      turn_over(copy.mesh, parts); // the walls of channels
+    take_out(copy.mesh, parts, fates);
+    const Changed_mesh changed = changed_mesh(copy.mesh, result_.mesh);
+    crossings_ = kept_crossings(crossings_, changed);
+    go_on_with(changed);
+    result_.after = state_of(copy.mesh, crossings_);
+  }
+
+  void describe_floaters(const Parts& parts,
+                         const Floaters& floaters,
+                         const std::vector<Face_fate>& fates) {
+    Clean_record record{Clean_step::FLOATERS};
+    double volume = 0.;
+    std::size_t touching = 0;
+    for(std::size_t i = 0; i < parts.all.size(); ++i)
+      if(fates[i] == Face_fate::FLOATER) {
+        ++record.count;
+        volume += parts.all[i].volume;
+      } else if(floaters.is_small(parts.all[i]))
+        ++touching;
+    if(record.count > 0)
+      record.done = {counted(record.count, "small part", "small parts") + " dropped, " +
+                     formatted("%.2g%% of the volume", 100. * volume / floaters.volume())};
+    if(touching > 0)
+      record.left = {counted(touching, "small part that touches", "small parts that touch") +
+                     " others"};
+    result_.records.push_back(record);
+  }
+
+  void describe_shells(const Parts& parts, const std::vector<Face_fate>& fates) {
+    Clean_record record{Clean_step::SHELLS};
+    double volume = 0.;
+    for(std::size_t i = 0; i < parts.all.size(); ++i)
+      if(fates[i] == Face_fate::SHELL) {
+        ++record.count;
+        volume += parts.all[i].depth == 1 ? parts.all[i].volume : 0.;
+      }
+    if(record.count > 0)
+      record.done = {counted(record.count, "shell that lies", "shells that lie") + " inside of " +
+                     formatted("others dropped: %.4g of volume is solid now", volume)};
+    result_.records.push_back(record);
+  }
+
+  void take_out(Changeable_mesh& mesh, const Parts& parts, const std::vector<Face_fate>& fates) {
+    for(std::size_t f = 0; f < result_.face_origins.size(); ++f)
+      if(const std::int64_t origin = result_.face_parents[f]; origin != nothing_before)
+        result_.fates[std::size_t(origin)] = fates[parts.of_face[f]];
+    std::vector<Face> out;
+    for(const Face f : mesh.faces())
+      if(fates[parts.of_face[f.idx()]] != Face_fate::KEPT)
+        out.push_back(f);
+    for(const Face f : out)
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+    PMP::remove_isolated_vertices(mesh);
+  }
+
+  // ---- handles
+
+  void remove_small_handles() {
+    Clean_record record{Clean_step::HANDLES};
+    const std::size_t genus = result_.after.genus;
+    if(genus > 0) {
+      const Pairs pairs = find_loops();
+      std::size_t left = genus;
+      if(options_.noise_below || (options_.genus && *options_.genus < genus))
+        left = remove(pairs, record);
+      if(left > 0 && !options_.genus && !options_.noise_below)
+        record.left = {words_of_left(pairs)};
+    }
+    result_.records.push_back(record);
+  }
+
+  std::size_t remove(const Pairs& pairs, Clean_record& record) {
+    Removal_options wanted;
+    wanted.number_of_threads = options_.number_of_threads;
+    if(options_.genus)
+      wanted.target_genus = *options_.genus;
+    if(options_.noise_below)
+      wanted.pairs = pairs_of_noise(pairs, absolute(*options_.noise_below, mesh_), record);
+    const Removal_answer answer = remove_handles(result_.mesh, pairs, wanted, progress_);
+    record.count = answer.report.removed.size();
+    if(record.count > 0)
+      record.done = {counted(record.count, "handle", "handles") + " removed, " +
+                     words_of_handles(answer.report)};
+    for(const Refused_handle& refused : answer.report.refused)
+      record.left.push_back(formatted("a handle %.4g around: ", refused.length) + refused.reason);
+    keep_loops(pairs, answer.report);
+    go_on_without_handles(answer);
+    result_.after = state_of(Changeable_copy(result_.mesh).mesh, crossings_);
+    return answer.report.genus_after;
+  }
+
+  std::vector<std::size_t> pairs_of_noise(const Pairs& pairs, double below, Clean_record& record) {
+    constexpr double precision = 0.01;
+    const Measures measures = find_measures(result_.mesh, pairs, precision, progress_);
+    std::vector<std::size_t> numbers;
+    for(std::size_t i = 0; i < measures.size(); ++i)
+      if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
+        numbers.push_back(i);
+      else if(!noise)
+        record.left.push_back("a handle is not measured: " + measures[i].why);
+    return numbers;
+  }
+
+  // None is removed unless a size is given: which of them are meant, nobody can tell.
+  std::string words_of_left(const Pairs& pairs) const {
+    constexpr double small = 0.03;
+    std::size_t number = 0;
+    for(const Pair& pair : pairs)
+      number +=
+          (std::min)(pair.handle().length(), pair.tunnel().length()) < small * diagonal_of(mesh_);
+    return counted(pairs.size(), "handle", "handles") + ", " +
+           (number == 0 ? "none of them" : std::to_string(number) + " of them") +
+           " with a loop shorter than 3% of the diagonal: --noise-below or --genus removes some";
+  }
+
+  // ---- at last
+
+  // Of what has become no face of the result, and was not dropped with its part.
+  void find_replaced_faces() {
+    std::vector<char> is_there(mesh_.number_of_faces(), 0);
+    for(const std::int64_t parent : result_.face_parents)
+      if(parent != nothing_before)
+        is_there[std::size_t(parent)] = 1;
+    for(std::size_t f = 0; f < is_there.size(); ++f)
+      if(!is_there[f] && result_.fates[f] == Face_fate::KEPT)
+        result_.fates[f] = Face_fate::REPLACED;
+  }
+
+  const Mesh& mesh_;
+  const Clean_options& options_;
+  Progress& progress_;
+  Cleaned_mesh result_;
+  Crossings crossings_; // of the mesh as it is
+};
+
+} // namespace
+
+const char* name_of(Clean_step step) {
+  constexpr const char* names[] = {"repair",   "holes",  "orient", "channels",
+                                   "floaters", "shells", "handles"};
+  return names[static_cast<std::size_t>(step)];
+}
+
+Cleaned_mesh clean(const Mesh& mesh, const Clean_options& options, Progress& progress) {
+  const Thread_limit limit(options.number_of_threads);
+  return Cleaner(mesh, options, progress)();
+}
+
+} // namespace htloops

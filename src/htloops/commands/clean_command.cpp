@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "app/clean/soup_cleaning.h"
+#include "app/draw/pages.h"
+#include "app/failure.h"
+#include "app/file_names.h"
+#include "app/words.h"
+#include "app/write/clean_report.h"
+#include "app/write/documents.h"
+#include "app/write/mesh_writer.h"
+#include "app/write/tables.h"
+#include "commands/command.h"
+#include "commands/options.h"
+#include "commands/vertex_values.h"
+#include "terminal/terminal.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+/// The mesh that is written is the result, the JSON the report.
+struct Clean_command_options : Common_options
+{
+  std::string result_file;
+  std::string map_file;
+  std::vector<std::string> skipped;
+  std::string channels = "3%";
+  std::string floaters = "0.1%";
+  std::optional<std::size_t> genus;
+  std::string noise_below;
+  bool is_dry_run = false;
+};
+
+std::map<std::string, Clean_step> steps_by_name() {
+  std::map<std::string, Clean_step> steps;
+  for(std::size_t i = 0; i < number_of_clean_steps; ++i)
+    steps[name_of(static_cast<Clean_step>(i))] = static_cast<Clean_step>(i);
+  return steps;
+}
+
+std::optional<Relative_length> relative_length(const char* option, const std::string& text) {
+  const std::optional<double> length = parse_length(option, text);
+  return length ? std::optional(Relative_length{*length, text.back() == '%'}) : std::nullopt;
+}
+
+// "0.1%"
+double share_of(const std::string& text) {
+  const std::optional<Relative_length> share = relative_length("--floaters", text);
+  if(!share || !share->is_share || share->value > 1.)
+    throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.1%");
+  return share->value;
+}
+
+Clean_options clean_options(const Clean_command_options& options) {
+  Clean_options result;
+  const std::map<std::string, Clean_step> steps = steps_by_name();
+  for(const std::string& name : options.skipped)
+    result.steps.reset(static_cast<std::size_t>(steps.at(name)));
+  result.channel_length = *relative_length("--channels", options.channels);
+  result.floater_share = share_of(options.floaters);
+  result.genus = options.genus;
+  result.noise_below = relative_length("--noise-below", options.noise_below);
+  result.number_of_threads = options.number_of_threads;
+  return result;
+}
+
+void check(const Clean_command_options& options) {
+  if(options.result_file.empty() && !options.is_dry_run)
+    throw wrong_usage("OUT, after the mesh, says where the result goes; or --dry-run");
+  check_mesh_format(options.result_file);
+  check_name(options.json_file, "a report as JSON", {".json"});
+  check_name(options.map_file, "a map as JSON", {".json"});
+  check_name(options.page_file, "a page", {".html", ".htm"});
+  if(!options.map_file.empty() && options.is_dry_run)
+    throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
+                      "--dry-run");
+}
+
+Cleaned_soup cleaned(Soup soup, const Clean_command_options& options) {
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  try {
+    return clean(std::move(soup), clean_options(options), options.remedies.weld, bar);
+  } catch(const Failure& failure) {
+    if(failure.code() != Exit_code::UNACCEPTABLE_MESH)
+      throw;
+    throw Failure(failure.code(), printable(options.mesh_file) + ": " + failure.what());
+  }
+}
+
+// The vertices of the result may be anywhere among those of the file.
+Vertex_properties values_of(const Cleaned_soup& result, Vertex_properties properties) {
+  spread_properties(result, properties);
+  return properties;
+}
+
+void write_files(const Clean_command_options& options,
+                 const Input_file& file,
+                 const std::array<std::size_t, 2>& sizes,
+                 const File_facts& facts,
+                 const Cleaned_soup& result) {
+  if(!options.is_dry_run) {
+    const Vertex_properties properties =
+        values_to_keep(file, facts, options.result_file, options.is_quiet);
+    write_mesh(options.result_file, result.mesh, values_of(result, properties), "", facts);
+    if(!options.map_file.empty())
+      write_map_json(options.map_file, sizes[0], sizes[1], result);
+  }
+  if(!options.json_file.empty())
+    write_clean_json(options.json_file, result);
+  if(!options.page_file.empty())
+    write_clean_page(options.page_file, options.mesh_file, result.mended, result,
+                     table_of_cleaning(result));
+}
+
+void run(const Clean_command_options& options) {
+  check(options);
+  const Stopwatch stopwatch;
+  const Input_file file = input_of(options);
+  Soup soup = read_whole_soup(file);
+  const File_facts facts = soup.facts;
+  const std::array<std::size_t, 2> sizes = {soup.points.size(), soup.faces.size()};
+  const double read_seconds = stopwatch.seconds();
+  const Cleaned_soup result = cleaned(std::move(soup), options);
+  write_files(options, file, sizes, facts, result);
+  if(!options.is_quiet)
+    show_text(
+        table_of_cleaning(result) + words_of_unit(facts.unit) +
+            formatted("%.2f s after %.2f s of reading\n", result.total_seconds, read_seconds) +
+            (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
+        options.result_file == "-" || options.json_file == "-" || options.page_file == "-");
+  if(!result.is_closed())
+    throw Failure(Exit_code::UNACCEPTABLE_MESH,
+                  "the result is not closed: " +
+                      counted(result.after.boundaries, "boundary curve is", "boundary curves are") +
+                      " left");
+}
+
+constexpr char clean_description[] = R"(Makes a closed solid of a mesh, for a printer, say.
+
+It does what it can justify, and lists what it leaves: points stay where they are, and the result
+has no crossing that the mesh did not have. The steps, in their order; --skip leaves some out:
+  repair    triangles, welded where they nearly are, oriented and manifold
+  holes     boundary curves are closed, where a cap fits
+  orient    parts that are inside out are turned over
+  channels  leaks from an outer wall to an inner one are closed, if they are short
+            around and the inner wall comes off by that
+  floaters  small parts that touch no other part go
+  shells    what lies inside of another part, and is not seen from outside, goes
+  handles   none goes, unless --genus or --noise-below says which
+)";
+
+constexpr char clean_examples[] =
+    R"(Exit codes: 0 the result is closed; 4 it is not, or the mesh cannot be mended: in the first
+case it is written all the same.
+
+Examples:
+  htloops clean model.glb solid.stl               inner walls, leaks and crumbs go
+  htloops clean scan.stl clean.3mf --noise-below 0.5%
+                                                  small handles, too
+  htloops clean part.stl --dry-run --html look.html
+                                                  what would be done
+  htloops clean vase.obj vase.stl --skip shells   the hollow stays
+)";
+
+void add_options(CLI::App& clean, Clean_command_options& options) {
+  add_mesh_argument(clean, options, mesh_kinds("a mesh, fit or not"));
+  add_output(clean, "OUT", " ", options.result_file, "the solid:" + words_of_written_meshes());
+  clean.option_defaults()->group("What to do");
+  clean.add_option("--skip", options.skipped, "steps that are left out, with commas between them")
+      ->option_text("STEP,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(steps_by_name()));
+  add_weld_option(clean, options.remedies);
+  add_length(clean, "--channels", options.channels,
+             "how long around channels are at most; %: of the diagonal of\nthe box; default: 3%");
+  clean
+      .add_option("--floaters", options.floaters,
+                  "how much of the volume a part has that is dropped, at most,\n"
+                  "in percent; default: 0.1%")
+      ->option_text("P%");
+  CLI::Option* genus = clean
+                           .add_option("--genus", options.genus,
+                                       "remove the smallest handles, until genus G is left")
+                           ->option_text("G")
+                           ->check(why_no_count);
+  add_length(clean, "--noise-below", options.noise_below,
+             "remove handles of which the thickness or the clear width is less")
+      ->excludes(genus);
+  add_threads_option(clean, options);
+  clean.option_defaults()->group("What to write");
+  clean.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
+  add_output(clean, "--report", "FILE.json", options.json_file, "what was done, as JSON");
+  add_output(clean, "--map", "FILE.json", options.map_file,
+             "what each vertex and face was before, as JSON");
+  add_page_option(clean, options, "the mesh before and after");
+  clean.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group("What to show");
+}
+
+} // namespace
+
+void add_clean_command(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<Clean_command_options>();
+  CLI::App* clean = app.add_subcommand("clean", clean_description)->group("Commands");
+  add_options(*clean, *options);
+  complete_help(*clean, clean_examples);
+  clean->callback([options, &command] { command = [options] { run(*options); }; });
+}
+
+} // namespace htloops

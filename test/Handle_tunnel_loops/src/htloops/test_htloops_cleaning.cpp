@@ -1,0 +1,352 @@
+// What cleaning makes of meshes with something wrong: a closed solid, of what was there, as CGAL
+// sees it. Where nothing is wrong nothing changes.
+
+#include "Meshes_of_soups.h"
+
+#include "app/clean/soup_cleaning.h"
+#include "app/read/soup_diagnosis.h"
+#include "generators/generators.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace test_htloops_cleaning {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using htloops::Changeable_copy;
+using htloops::Clean_options;
+using htloops::Clean_record;
+using htloops::Clean_step;
+using htloops::Cleaned_soup;
+using htloops::nothing_before;
+
+Soup recipe(const char* kind, std::size_t faces, std::size_t genus, std::size_t necks = 1) {
+  Recipe recipe;
+  recipe.kind = kind;
+  recipe.request.faces = faces;
+  recipe.request.genus = genus;
+  recipe.request.necks = necks;
+  return soup_of(recipe);
+}
+
+Soup sphere(double radius, const std::array<double, 3>& centre, std::size_t faces = 320) {
+  Soup soup = recipe("sphere", faces, 0);
+  for(auto& p : soup.points)
+    for(double& x : p)
+      x *= radius;
+  return generators::translated(soup, centre);
+}
+
+htloops::Soup as_read(const Soup& soup) {
+  htloops::Soup read;
+  for(const auto& [x, y, z] : soup.points)
+    read.points.emplace_back(x, y, z);
+  for(const auto& triangle : soup.triangles)
+    read.add_face(triangle);
+  return read;
+}
+
+Clean_options without(std::initializer_list<Clean_step> steps) {
+  Clean_options options;
+  for(const Clean_step step : steps)
+    options.steps.reset(static_cast<std::size_t>(step));
+  return options;
+}
+
+const Clean_record& record_of(const Cleaned_soup& cleaned, Clean_step step) {
+  const auto found = std::find_if(cleaned.records.begin(), cleaned.records.end(),
+                                  [&](const Clean_record& r) { return r.step == step; });
+  if(found == cleaned.records.end())
+    throw std::logic_error("a step has no record");
+  return *found;
+}
+
+std::size_t number_of_crossings(const htloops::Mesh& mesh) {
+  std::vector<std::pair<htloops::Changeable_mesh::Face_index, htloops::Changeable_mesh::Face_index>>
+      pairs;
+  PMP::self_intersections(Changeable_copy(mesh).mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+// Whatever it is: what is there was there before, where it is now.
+void expect_origins(const Soup& before, const Cleaned_soup& cleaned) {
+  ASSERT_EQ(cleaned.vertex_origins.size(), cleaned.mesh.number_of_vertices());
+  for(const auto v : cleaned.mesh.vertices())
+    if(const std::int64_t origin = cleaned.vertex_origins[v.idx()]; origin != nothing_before) {
+      const auto& [x, y, z] = before.points[std::size_t(origin)];
+      ASSERT_EQ(cleaned.mesh.point(v), htloops::Point(x, y, z));
+    }
+  ASSERT_EQ(cleaned.face_origins.size(), cleaned.mesh.number_of_faces());
+  for(std::size_t f = 0; f < cleaned.face_origins.size(); ++f) {
+    if(cleaned.face_origins[f] == nothing_before)
+      continue;
+    EXPECT_EQ(cleaned.face_parents[f], cleaned.face_origins[f]);
+    std::array<std::int64_t, 3> found{};
+    auto h = cleaned.mesh.halfedge(htloops::Mesh::Face_index(std::uint32_t(f)));
+    for(std::int64_t& corner : found) {
+      corner = cleaned.vertex_origins[cleaned.mesh.source(h).idx()];
+      h = cleaned.mesh.next(h);
+    }
+    const auto& triangle = before.triangles[std::size_t(cleaned.face_origins[f])];
+    std::array<std::int64_t, 3> expected = {triangle[0], triangle[1], triangle[2]};
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(found, expected);
+  }
+}
+
+void expect_solid(const Cleaned_soup& cleaned) {
+  const Changeable_copy copy(cleaned.mesh);
+  EXPECT_TRUE(cleaned.is_closed());
+  EXPECT_TRUE(CGAL::is_closed(copy.mesh));
+  EXPECT_EQ(number_of_crossings(cleaned.mesh), cleaned.after.crossings);
+  EXPECT_LE(cleaned.after.crossings, cleaned.before.crossings);
+  EXPECT_EQ(cleaned.after.faces, cleaned.mesh.number_of_faces());
+  EXPECT_EQ(cleaned.after.vertices, cleaned.mesh.number_of_vertices());
+  EXPECT_NEAR(cleaned.after.volume, PMP::volume(copy.mesh), 1e-9 * cleaned.after.volume);
+  EXPECT_TRUE(cleaned.after.crossings > 0 || PMP::does_bound_a_volume(copy.mesh));
+  EXPECT_GT(cleaned.after.volume, 0.);
+}
+
+void expect_solid(const Soup& before, const Cleaned_soup& cleaned) {
+  expect_solid(cleaned);
+  expect_origins(before, cleaned);
+}
+
+Cleaned_soup cleaned(const Soup& soup, const Clean_options& options = {}) {
+  htloops::Progress progress;
+  return htloops::clean(as_read(soup), options, std::nullopt, progress);
+}
+
+TEST(Cleaning, leaves_what_is_sound) {
+  for(const Soup& soup : {recipe("torus", 600, 1), recipe("gyroid", 8000, 6)}) {
+    const Cleaned_soup result = cleaned(soup);
+    expect_solid(soup, result);
+    ASSERT_EQ(result.mesh.number_of_faces(), soup.triangles.size());
+    for(std::size_t f = 0; f < soup.triangles.size(); ++f)
+      EXPECT_EQ(result.face_origins[f], std::int64_t(f));
+    for(const Clean_record& record : result.records)
+      EXPECT_EQ(record.count, 0u) << name_of(record.step);
+    EXPECT_EQ(record_of(result, Clean_step::HANDLES).left.size(), 1u);
+  }
+}
+
+TEST(Cleaning, closes_channels_and_drops_the_inner_wall) {
+  for(const std::size_t channels : {1, 3}) {
+    const Soup soup = recipe("hollow", 60000, 0, channels);
+    Clean_options options;
+    options.channel_length = {0.1, true};
+    const Cleaned_soup result = cleaned(soup, options);
+    expect_solid(soup, result);
+    EXPECT_EQ(record_of(result, Clean_step::CHANNELS).count, channels);
+    EXPECT_EQ(record_of(result, Clean_step::SHELLS).count, 1u);
+    EXPECT_EQ(result.after.parts, 1u);
+    EXPECT_EQ(result.after.genus, 0u);
+    EXPECT_GT(result.after.volume, 2. * result.before.volume);
+  }
+}
+
+TEST(Cleaning, tells_of_channels_that_are_too_wide) {
+  const Soup soup = recipe("hollow", 60000, 0, 2);
+  Clean_options options;
+  options.channel_length = {0.03, true};
+  const Cleaned_soup result = cleaned(soup, options);
+  const Clean_record& record = record_of(result, Clean_step::CHANNELS);
+  EXPECT_EQ(record.count, 0u);
+  ASSERT_EQ(record.left.size(), 1u);
+  EXPECT_NE(record.left.front().find("2 channels"), std::string::npos) << record.left.front();
+  EXPECT_EQ(result.mesh.number_of_faces(), soup.triangles.size());
+}
+
+TEST(Cleaning, keeps_the_hollow_if_it_is_told_to) {
+  const Soup soup = recipe("hollow", 60000, 0, 2);
+  Clean_options options = without({Clean_step::SHELLS});
+  options.channel_length = {0.1, true};
+  const Cleaned_soup result = cleaned(soup, options);
+  expect_solid(soup, result);
+  EXPECT_EQ(result.after.parts, 2u);
+  EXPECT_NEAR(result.after.volume, result.before.volume, 0.01 * result.before.volume);
+}
+
+TEST(Cleaning, drops_small_parts_that_touch_nothing) {
+  const Soup soup = generators::joined({sphere(1., {0., 0., 0.}, 5120), sphere(0.02, {1.5, 0., 0.}),
+                                        sphere(0.02, {1., 0., 0.}), sphere(0.5, {0., 3., 0.})});
+  const Cleaned_soup result = cleaned(soup);
+  expect_solid(soup, result);
+  EXPECT_EQ(record_of(result, Clean_step::FLOATERS).count, 1u);
+  EXPECT_EQ(record_of(result, Clean_step::FLOATERS).left.size(), 1u);
+  EXPECT_EQ(result.after.parts, 3u);
+  EXPECT_EQ(cleaned(soup, without({Clean_step::FLOATERS})).after.parts, 4u);
+  Clean_options coarse;
+  coarse.floater_share = 0.2;
+  EXPECT_EQ(cleaned(soup, coarse).after.parts, 2u);
+}
+
+// Thin and wide, it has no volume to speak of.
+TEST(Cleaning, keeps_small_volumes_of_large_area) {
+  Soup plate = sphere(1., {0., 0., 3.}, 1280);
+  for(auto& p : plate.points)
+    p[2] = 3. + 1e-4 * (p[2] - 3.);
+  const Soup soup = generators::joined({sphere(1., {0., 0., 0.}, 1280), plate});
+  const Cleaned_soup result = cleaned(soup);
+  expect_solid(soup, result);
+  EXPECT_EQ(result.after.parts, 2u);
+}
+
+TEST(Cleaning, drops_what_is_inside_whatever_its_orientation) {
+  for(const bool is_turned : {false, true}) {
+    const Soup inner = sphere(0.5, {0.1, 0., 0.});
+    const Soup soup = generators::joined({sphere(1., {0., 0., 0.}, 1280),
+                                          is_turned ? generators::reversed(inner) : inner,
+                                          sphere(0.2, {0.1, 0., 0.})});
+    const Cleaned_soup result = cleaned(soup);
+    expect_solid(soup, result);
+    EXPECT_EQ(record_of(result, Clean_step::SHELLS).count, 2u);
+    EXPECT_EQ(result.after.parts, 1u);
+    const Cleaned_soup whole = cleaned(soup, without({Clean_step::SHELLS}));
+    expect_solid(soup, whole);
+    EXPECT_EQ(record_of(whole, Clean_step::ORIENT).count, is_turned ? 0u : 1u);
+    EXPECT_LT(whole.after.volume, result.after.volume);
+  }
+}
+
+TEST(Cleaning, turns_over_what_is_inside_out) {
+  const Soup soup =
+      generators::joined({generators::reversed(recipe("torus", 600, 1)), sphere(1., {9., 0., 0.})});
+  const Cleaned_soup result = cleaned(soup);
+  expect_solid(soup, result);
+  EXPECT_EQ(record_of(result, Clean_step::ORIENT).count, 1u);
+  EXPECT_LT(cleaned(soup, without({Clean_step::ORIENT})).after.volume, result.after.volume);
+}
+
+TEST(Cleaning, closes_boundaries) {
+  for(const char* kind : {"sphere", "torus"}) {
+    const std::size_t genus = kind == std::string("torus") ? 1 : 0;
+    const Soup soup = generators::with_holes(recipe(kind, 5120, genus), {5, 12, true});
+    const Cleaned_soup result = cleaned(soup);
+    expect_solid(soup, result);
+    EXPECT_EQ(record_of(result, Clean_step::HOLES).count, 5u);
+    EXPECT_EQ(result.before.genus, genus);
+    EXPECT_EQ(result.after.genus, genus);
+    EXPECT_EQ(result.after.vertices, result.before.vertices);
+    EXPECT_EQ(cleaned(soup, without({Clean_step::HOLES})).after.boundaries, 5u);
+  }
+}
+
+// A rod through the hole is in the way of its cap.
+TEST(Cleaning, leaves_boundaries_where_no_cap_fits) {
+  Soup rod = sphere(1., {0., 0., 0.}, 1280);
+  for(auto& p : rod.points)
+    p = {0.02 * p[0], 0.02 * p[1], 2. * p[2]};
+  Soup ball = sphere(1., {0., 0., 0.}, 1280);
+  const auto is_at_pole = [&](const auto& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(),
+                       [&](auto v) { return std::abs(ball.points[v][2]) > 0.95; });
+  };
+  ball.triangles.erase(std::remove_if(ball.triangles.begin(), ball.triangles.end(), is_at_pole),
+                       ball.triangles.end());
+  const Soup soup = generators::joined({ball, rod});
+  const Cleaned_soup result = cleaned(soup);
+  EXPECT_FALSE(result.is_closed());
+  EXPECT_EQ(result.after.boundaries, 2u);
+  EXPECT_EQ(result.after.crossings, 0u);
+  EXPECT_EQ(record_of(result, Clean_step::HOLES).left.size(), 2u);
+  expect_origins(soup, result);
+}
+
+TEST(Cleaning, keeps_crossings_and_adds_none) {
+  const Soup soup =
+      generators::joined({sphere(1., {0., 0., 0.}, 1280), sphere(1., {1., 0., 0.}, 1280)});
+  const Cleaned_soup result = cleaned(soup);
+  expect_solid(soup, result);
+  EXPECT_GT(result.after.crossings, 0u);
+  EXPECT_EQ(result.after.crossings, result.before.crossings);
+  EXPECT_EQ(result.mesh.number_of_faces(), soup.triangles.size());
+}
+
+TEST(Cleaning, removes_handles_that_it_is_told_of) {
+  const Soup soup = recipe("multi-torus", 6000, 3);
+  Clean_options options;
+  options.genus = 1;
+  const Cleaned_soup result = cleaned(soup, options);
+  expect_solid(soup, result);
+  EXPECT_EQ(result.after.genus, 1u);
+  EXPECT_EQ(record_of(result, Clean_step::HANDLES).count, 2u);
+  options.genus = 7;
+  EXPECT_EQ(cleaned(soup, options).after.genus, 3u);
+  Clean_options noise;
+  noise.noise_below = {0.5, true};
+  EXPECT_EQ(cleaned(soup, noise).after.genus, 0u);
+}
+
+// As of an STL whose corners were rounded.
+TEST(Cleaning, welds_what_nearly_is) {
+  const Soup sound = recipe("torus", 600, 1);
+  Soup loose;
+  for(const auto& triangle : sound.triangles)
+    for(const auto v : triangle) {
+      const double shift = 1e-7 * double(loose.points.size() % 3);
+      loose.points.push_back(
+          {sound.points[v][0] + shift, sound.points[v][1], sound.points[v][2] - shift});
+    }
+  for(std::uint32_t v = 0; v < loose.points.size(); v += 3)
+    loose.triangles.push_back({v, v + 1, v + 2});
+  const Cleaned_soup result = cleaned(loose);
+  expect_solid(result);
+  EXPECT_EQ(result.after.genus, 1u);
+  EXPECT_EQ(result.after.parts, 1u);
+  EXPECT_GT(record_of(result, Clean_step::REPAIR).count, 0u);
+}
+
+TEST(Cleaning, refuses_what_is_no_surface_if_it_may_not_repair_it) {
+  Soup soup = recipe("torus", 600, 1);
+  soup.triangles.push_back(soup.triangles.front());
+  EXPECT_THROW(cleaned(soup, without({Clean_step::REPAIR})), htloops::Failure);
+  expect_solid(soup, cleaned(soup));
+}
+
+// All of it at once, in any order.
+TEST(Cleaning, makes_solids_of_what_is_thrown_together) {
+  for(unsigned seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    std::vector<Soup> parts = {
+        generators::with_holes(recipe("torus", 3000, 1), {3, 12, true}),
+        sphere(0.01, {4., 0., 0.}),
+        generators::reversed(sphere(1., {6., 0., 0.}, 1280)),
+        sphere(0.3, {6., 0.1, 0.}),
+        generators::with_holes(sphere(1., {0., 9., 0.}, 1280), {2, 6, true}),
+        sphere(1., {0.5, 9., 0.}, 1280),
+    };
+    std::rotate(parts.begin(), parts.begin() + seed % parts.size(), parts.end());
+    if(seed % 2 == 1)
+      std::reverse(parts.begin(), parts.end());
+    const Soup soup = generators::joined(parts);
+    const Cleaned_soup result = cleaned(soup);
+    expect_solid(soup, result);
+    EXPECT_EQ(result.after.parts, 4u);
+    EXPECT_EQ(result.after.genus, 1u);
+  }
+}
+
+TEST(Cleaning, does_not_depend_on_the_number_of_threads) {
+  const Soup soup = generators::with_holes(recipe("hollow", 60000, 1, 2), {4, 12, true});
+  Clean_options options;
+  options.channel_length = {0.1, true};
+  options.number_of_threads = 1;
+  const Cleaned_soup alone = cleaned(soup, options);
+  options.number_of_threads = 2;
+  const Cleaned_soup together = cleaned(soup, options);
+  EXPECT_EQ(alone.mesh.points(), together.mesh.points());
+  EXPECT_EQ(alone.face_origins, together.face_origins);
+}
+
+} // namespace test_htloops_cleaning
