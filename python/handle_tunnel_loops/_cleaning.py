@@ -89,7 +89,10 @@ def _length(name: str, value: Optional[Length]) -> Optional[Tuple[float, bool]]:
 
 
 def _share(value: Any) -> float:
-    share = length_or_none("floaters", value)
+    try:
+        share = length_or_none("floaters", value)
+    except ValueError:
+        share = None
     if share is None or not 0 <= share <= 1:
-        raise ValueError('floaters is a share of the volume, such as 0.001 or "0.1%"')
+        raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.001 or "0.1%"')
     return share

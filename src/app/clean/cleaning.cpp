@@ -61,7 +61,7 @@ public:
   }
 
   bool is_floater(const Part& part) const {
-    return is_small(part) && (!part.crosses_others || is_scrap(part));
+    return is_small(part) && (!part.meets_others || is_scrap(part));
   }
 
 private:
@@ -99,7 +99,7 @@ Mesh_state state_of(const Changeable_mesh& mesh, const Crossings& crossings) {
   std::vector<Changeable_mesh::Halfedge_index> borders;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
   state.boundaries = borders.size();
-  state.crossings = crossings.size();
+  state.crossings = crossings.crossing.size();
   // V - E + F = 2 c - 2 g - b
   state.genus =
       (2 * state.parts + mesh.number_of_edges() - state.boundaries - state.vertices - state.faces) /
@@ -144,10 +144,16 @@ private:
     static_cast<Changed_mesh&>(result_) = composed(result_, changed);
   }
 
+  // Where whole faces were put in or taken out.
+  void go_on_with_parts(const Changed_mesh& changed) {
+    crossings_ = kept_crossings(crossings_, changed);
+    go_on_with(changed);
+  }
+
   // What was removed may have been crossed; what was put in is not.
   void go_on_without_handles(const Changed_mesh& changed) {
     go_on_with(changed);
-    if(!crossings_.empty())
+    if(!crossings_.crossing.empty() || !crossings_.touching.empty())
       crossings_ = crossings_of(Changeable_copy(result_.mesh).mesh);
   }
 
@@ -164,12 +170,12 @@ private:
       crossings_ = std::move(closed.crossings);
     } else
       crossings_ = crossings_of(copy.mesh);
-    result_.before.crossings = crossings_.size();
     if(options_.has(Clean_step::HOLES))
       result_.records.push_back(holes);
     if(options_.has(Clean_step::ORIENT))
       orient(copy.mesh);
-    go_on_with(changed_mesh(copy.mesh, result_.mesh));
+    result_.before.crossings = crossings_.crossing.size(); // caps cross nothing
+    go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
   }
 
   void orient(Changeable_mesh& mesh) {
@@ -180,9 +186,9 @@ private:
     result_.records.push_back(record);
   }
 
-  static void describe(const Closed_holes& holes, Clean_record& record) {
+  void describe(const Closed_holes& holes, Clean_record& record) {
     record.count = holes.closed;
-    record.left = holes.open;
+    open_holes_ = holes.open;
     if(holes.closed > 0)
       record.done = {counted(holes.closed, "boundary curve", "boundary curves") + " closed, " +
                      formatted("%s%.4g around", holes.closed > 1 ? "up to " : "", holes.longest)};
@@ -280,10 +286,22 @@ private:
     if(options_.has(Clean_step::ORIENT))
       turn_over(copy.mesh, parts); // the walls of channels
     take_out(copy.mesh, parts, fates);
-    const Changed_mesh changed = changed_mesh(copy.mesh, result_.mesh);
-    crossings_ = kept_crossings(crossings_, changed);
-    go_on_with(changed);
+    go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
     result_.after = state_of(copy.mesh, crossings_);
+    note_open_holes();
+  }
+
+  // Of parts that are still there.
+  void note_open_holes() {
+    std::vector<char> is_gone(mesh_.number_of_vertices(), 1);
+    for(const std::int64_t origin : result_.vertex_origins)
+      if(origin != nothing_before)
+        is_gone[std::size_t(origin)] = 0;
+    for(Clean_record& record : result_.records)
+      for(const Open_hole& hole : open_holes_)
+        if(record.step == Clean_step::HOLES &&
+           (hole.vertex.idx() >= is_gone.size() || !is_gone[hole.vertex.idx()]))
+          record.left.push_back(hole.why);
   }
 
   void describe_floaters(const Parts& parts,
@@ -412,6 +430,7 @@ private:
   Progress& progress_;
   Cleaned_mesh result_;
   Crossings crossings_; // of the mesh as it is
+  std::vector<Open_hole> open_holes_;
 };
 
 } // namespace

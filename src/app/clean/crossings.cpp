@@ -9,45 +9,107 @@
 
 #include "clean/crossings.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/intersections.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <utility>
 
 namespace htloops {
+namespace {
+
+using Face = Changeable_mesh::Face_index;
+using Kernel_of_copy = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Triangle = Kernel_of_copy::Triangle_3;
+using Segment = Kernel_of_copy::Segment_3;
+
+std::array<Changeable_mesh::Point, 3> corners_of(const Changeable_mesh& mesh, Face f) {
+  const auto h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+          mesh.point(mesh.target(mesh.next(h)))};
+}
+
+// Of two faces, each turned such that the corners at common places come first.
+struct Common_corners
+{
+  std::array<Changeable_mesh::Point, 3> a, b;
+  std::size_t number = 0;
+
+  Common_corners(const Changeable_mesh& mesh, Face f, Face g)
+      : a(corners_of(mesh, f))
+      , b(corners_of(mesh, g)) {
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = number; j < 3; ++j)
+        if(a[i] == b[j]) {
+          std::swap(a[i], a[number]);
+          std::swap(b[j], b[number]);
+          ++number;
+          break;
+        }
+  }
+};
+
+// Whether faces meet in places of their corners, or edges, only.
+bool only_touch(const Changeable_mesh& mesh, Face f, Face g) {
+  const auto [a, b, number] = Common_corners(mesh, f, g);
+  if(number == 1)
+    return !CGAL::do_intersect(Segment(a[1], a[2]), Triangle(b[0], b[1], b[2])) &&
+           !CGAL::do_intersect(Segment(b[1], b[2]), Triangle(a[0], a[1], a[2]));
+  if(number == 2) // then they lie on each other, or not
+    return !CGAL::coplanar(a[0], a[1], a[2], b[2]) ||
+           CGAL::coplanar_orientation(a[0], a[1], a[2], b[2]) == CGAL::NEGATIVE;
+  return false;
+}
+
+// New numbers of faces, by those before; none of those that are gone.
+using Numbers = std::vector<std::int64_t>;
+
+Numbers new_numbers(const std::vector<std::size_t>& faces) {
+  Numbers numbers;
+  for(std::size_t f = 0; f < faces.size(); ++f) {
+    numbers.resize((std::max)(numbers.size(), faces[f] + 1), nothing_before);
+    numbers[faces[f]] = std::int64_t(f);
+  }
+  return numbers;
+}
+
+Pairs_of_faces kept(const Pairs_of_faces& pairs, const Numbers& numbers) {
+  const auto is_there = [&](std::uint32_t f) {
+    return f < numbers.size() && numbers[f] != nothing_before;
+  };
+  Pairs_of_faces result;
+  for(const auto& [f, g] : pairs)
+    if(is_there(f) && is_there(g))
+      result.push_back({std::uint32_t(numbers[f]), std::uint32_t(numbers[g])});
+  return result;
+}
+
+} // namespace
 
 Crossings crossings_of(const Changeable_mesh& mesh) {
-  using Face = Changeable_mesh::Face_index;
   std::vector<std::pair<Face, Face>> found;
   CGAL::Polygon_mesh_processing::self_intersections<CGAL::Parallel_if_available_tag>(
       mesh, std::back_inserter(found));
   Crossings crossings;
   for(const auto& [f, g] : found)
     if(f != g)
-      crossings.push_back({(std::min)(f, g).idx(), (std::max)(f, g).idx()});
-  std::sort(crossings.begin(), crossings.end());
+      (only_touch(mesh, f, g) ? crossings.touching : crossings.crossing)
+          .push_back({(std::min)(f, g).idx(), (std::max)(f, g).idx()});
+  std::sort(crossings.crossing.begin(), crossings.crossing.end());
+  std::sort(crossings.touching.begin(), crossings.touching.end());
   return crossings;
 }
 
 Crossings kept_crossings(const Crossings& before, const Changed_mesh& changed) {
-  if(before.empty())
+  if(before.crossing.empty() && before.touching.empty())
     return {};
-  const std::int64_t last = before.back()[0]; // the first ones of pairs are the smaller ones
-  std::vector<std::int64_t> number;
-  for(std::size_t f = 0; f < changed.face_origins.size(); ++f)
-    if(const std::int64_t origin = changed.face_origins[f]; origin != nothing_before) {
-      number.resize((std::max)(number.size(), std::size_t(origin) + 1), nothing_before);
-      number[std::size_t(origin)] = std::int64_t(f);
-    }
-  number.resize((std::max)(number.size(), std::size_t(last) + 1), nothing_before);
-  Crossings kept;
-  for(const auto& [f, g] : before)
-    if(g < number.size() && number[f] != nothing_before && number[g] != nothing_before)
-      kept.push_back({std::uint32_t(number[f]), std::uint32_t(number[g])});
-  return kept;
+  const Numbers numbers = new_numbers(changed.faces);
+  return {kept(before.crossing, numbers), kept(before.touching, numbers)};
 }
 
 } // namespace htloops

@@ -18,14 +18,23 @@
 
 namespace htloops {
 
-/// Pairs of faces, by numbers, that meet elsewhere than in what they share.
-using Crossings = std::vector<std::array<std::uint32_t, 2>>;
+/// Pairs of faces, by numbers.
+using Pairs_of_faces = std::vector<std::array<std::uint32_t, 2>>;
 
-/// all of a mesh, in ascending order; decided exactly. Faces without area are left out. Near linear
-/// in the size of the mesh and the number of crossings.
+/// Faces that meet elsewhere than in what they share, in ascending order.
+struct Crossings
+{
+  Pairs_of_faces crossing;
+  /// in vertices or edges at the same place only, which are not the same, as where a surface that
+  /// was no manifold has been split.
+  Pairs_of_faces touching;
+};
+
+/// those of a mesh; decided exactly. Faces without area are left out. Near linear in the size of
+/// the mesh and the number of pairs.
 Crossings crossings_of(const Changeable_mesh& mesh);
 
-/// those of faces that are still there, by their new numbers.
+/// those of faces of a copy that are still there, by their numbers in what it has become.
 Crossings kept_crossings(const Crossings& before, const Changed_mesh& changed);
 
 } // namespace htloops

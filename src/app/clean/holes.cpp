@@ -14,7 +14,9 @@
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/merge_border_vertices.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -27,7 +29,8 @@ namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Border = Changeable_mesh::Halfedge_index;
-using Cap = std::vector<Changeable_mesh::Face_index>;
+using Face = Changeable_mesh::Face_index;
+using Cap = std::vector<Face>;
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -62,7 +65,7 @@ public:
                                        CGAL::Emptyset_iterator());
 #endif
     cap_of_.resize(mesh_.number_of_faces() + mesh_.number_of_removed_faces() - first_face_, none);
-    for(const Changeable_mesh::Face_index f : cap)
+    for(const Face f : cap)
       cap_of_[f.idx() - first_face_] = curve;
   }
 
@@ -74,12 +77,12 @@ public:
   }
 
   void become_part_of_surface(std::size_t cap) {
-    for(const Changeable_mesh::Face_index f : caps_[cap])
+    for(const Face f : caps_[cap])
       cap_of_[f.idx() - first_face_] = none;
   }
 
   void take_out(std::size_t cap) {
-    for(const Changeable_mesh::Face_index f : caps_[cap])
+    for(const Face f : caps_[cap])
       CGAL::Euler::remove_face(mesh_.halfedge(f), mesh_);
     caps_[cap].clear();
   }
@@ -93,7 +96,8 @@ private:
 };
 
 // By curve: first those that cross the surface, then, of two that cross, the later one.
-std::vector<char> crossing_caps(const Caps& caps, std::size_t count, const Crossings& crossings) {
+std::vector<char>
+crossing_caps(const Caps& caps, std::size_t count, const Pairs_of_faces& crossings) {
   std::vector<char> crosses(count, 0);
   const auto for_each_pair = [&](const auto& visit) {
     for(const auto& [f, g] : crossings)
@@ -110,6 +114,15 @@ std::vector<char> crossing_caps(const Caps& caps, std::size_t count, const Cross
   return crosses;
 }
 
+void drop_removed(const Changeable_mesh& mesh, Pairs_of_faces& pairs) {
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                             [&](const auto& pair) {
+                               return mesh.is_removed(Face(pair[0])) ||
+                                      mesh.is_removed(Face(pair[1]));
+                             }),
+              pairs.end());
+}
+
 std::string words_of(const Changeable_mesh& mesh, Border border) {
   const auto& p = mesh.point(mesh.target(border));
   const auto edges = CGAL::halfedges_around_face(border, mesh);
@@ -122,6 +135,8 @@ std::string words_of(const Changeable_mesh& mesh, Border border) {
 } // namespace
 
 Closed_holes close_holes(Changeable_mesh& mesh) {
+  // Where holes touch in a vertex it had become several, along one curve around all of them.
+  PMP::merge_duplicated_vertices_in_boundary_cycles(mesh);
   std::vector<Border> borders;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
   Closed_holes holes{borders.size()};
@@ -136,12 +151,8 @@ Closed_holes close_holes(Changeable_mesh& mesh) {
         throw_if_interrupted();
         caps.make(i, borders[i], is_smooth);
       }
-    const Crossings crossings = crossings_of(mesh);
-    is_open = crossing_caps(caps, borders.size(), crossings);
-    holes.crossings.clear();
-    // Of caps only those that are taken out cross anything.
-    std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(holes.crossings),
-                 [&](const auto& pair) { return caps.cap_of(pair[1]) == none; });
+    holes.crossings = crossings_of(mesh);
+    is_open = crossing_caps(caps, borders.size(), holes.crossings.crossing);
     for(std::size_t i = 0; i < borders.size(); ++i)
       if(is_open[i])
         caps.take_out(i);
@@ -152,9 +163,12 @@ Closed_holes close_holes(Changeable_mesh& mesh) {
     if(std::count(is_open.begin(), is_open.end(), 1) == 0)
       break;
   }
+  PMP::duplicate_non_manifold_vertices(mesh); // of those that stay
+  drop_removed(mesh, holes.crossings.crossing);
+  drop_removed(mesh, holes.crossings.touching);
   for(std::size_t i = 0; i < borders.size(); ++i)
     if(is_open[i])
-      holes.open.push_back(words_of(mesh, borders[i]));
+      holes.open.push_back({mesh.target(borders[i]), words_of(mesh, borders[i])});
     else {
       ++holes.closed;
       holes.longest = (std::max)(holes.longest, lengths[i]);

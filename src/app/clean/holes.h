@@ -19,13 +19,20 @@
 
 namespace htloops {
 
+/// A boundary curve that stays.
+struct Open_hole
+{
+  Changeable_mesh::Vertex_index vertex; ///< one of it
+  std::string why;                      ///< in words, with the place
+};
+
 /// What became of the boundary curves of a mesh.
 struct Closed_holes
 {
   std::size_t number_of_curves = 0, closed = 0;
-  double longest = 0.;                ///< of those that are closed
-  std::vector<std::string> open = {}; ///< of each that is not, where it is and why
-  Crossings crossings = {};           ///< of the mesh as it is then
+  double longest = 0.;              ///< of those that are closed
+  std::vector<Open_hole> open = {}; ///< those that are not
+  Crossings crossings = {};         ///< of the mesh as it is then
 };
 
 /*!

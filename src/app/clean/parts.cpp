@@ -105,15 +105,15 @@ void orient(const Changeable_mesh& mesh, Parts& parts) {
 
 using Pair_of_parts = std::pair<std::uint32_t, std::uint32_t>;
 
-// Those that cross each other, the smaller number first.
-std::set<Pair_of_parts> find_crossing(const Crossings& crossings, Parts& parts) {
+// Parts of which faces meet, the smaller number first.
+std::set<Pair_of_parts> find_meeting(const Pairs_of_faces& faces, Parts& parts) {
   std::set<Pair_of_parts> pairs;
-  for(const auto& [f, g] : crossings)
+  for(const auto& [f, g] : faces)
     if(const Pair_of_parts pair = std::minmax(parts.of_face[f], parts.of_face[g]);
        pair.first != pair.second)
     {
       pairs.insert(pair);
-      parts.all[pair.first].crosses_others = parts.all[pair.second].crosses_others = true;
+      parts.all[pair.first].meets_others = parts.all[pair.second].meets_others = true;
     }
   return pairs;
 }
@@ -143,13 +143,15 @@ std::vector<std::vector<std::uint32_t>> find_candidates(const Parts& parts) {
 void find_depths(const Changeable_mesh& mesh,
                  const std::set<Pair_of_parts>& crossing,
                  Parts& parts) {
+  constexpr std::size_t enough = 64;
   using Side = CGAL::Side_of_triangle_mesh<Changeable_mesh, Kernel_of_copy>;
-  std::vector<Changeable_mesh::Vertex_index> vertex(parts.all.size());
+  std::vector<std::vector<Changeable_mesh::Vertex_index>> vertices(parts.all.size());
   std::vector<std::vector<Face>> faces(parts.all.size());
   const std::vector<std::vector<std::uint32_t>> inner = find_candidates(parts);
   for(const Face f : mesh.faces()) {
     const std::uint32_t i = parts.of_face[f.idx()];
-    vertex[i] = mesh.target(mesh.halfedge(f));
+    if(vertices[i].size() < enough)
+      vertices[i].push_back(mesh.target(mesh.halfedge(f)));
     if(!inner[i].empty())
       faces[i].push_back(f);
   }
@@ -161,9 +163,12 @@ void find_depths(const Changeable_mesh& mesh,
                                   get(CGAL::vertex_point, mesh));
     const Side side(tree);
     for(const std::uint32_t j : inner[i])
-      if(crossing.count(std::minmax(i, j)) == 0 &&
-         side(mesh.point(vertex[j])) == CGAL::ON_BOUNDED_SIDE)
-        ++parts.all[j].depth;
+      if(crossing.count(std::minmax(i, j)) == 0)
+        for(const auto v : vertices[j]) // those that touch the other part do not tell
+          if(const CGAL::Bounded_side where = side(mesh.point(v)); where != CGAL::ON_BOUNDARY) {
+            parts.all[j].depth += where == CGAL::ON_BOUNDED_SIDE;
+            break;
+          }
   }
 }
 
@@ -179,7 +184,8 @@ Parts measured_parts(const Changeable_mesh& mesh) {
 
 Parts parts_of(const Changeable_mesh& mesh, const Crossings& crossings) {
   Parts parts = measured_parts(mesh);
-  find_depths(mesh, find_crossing(crossings, parts), parts);
+  find_meeting(crossings.touching, parts);
+  find_depths(mesh, find_meeting(crossings.crossing, parts), parts);
   return parts;
 }
 

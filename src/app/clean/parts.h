@@ -32,8 +32,8 @@ struct Part
   double volume = 0.; ///< that it encloses; 0 where no orientation is known
   CGAL::Bbox_3 box = {};
   bool is_closed = true;
-  bool crosses_others = false; ///< or touches them
-  std::size_t depth = 0;       ///< how many others it lies inside of, crossing none of them
+  bool meets_others = false; ///< crosses or touches them
+  std::size_t depth = 0;     ///< how many others it lies inside of, crossing none of them
 
   /// whether its faces look to where the material is not.
   bool is_turned() const { return orientation == (depth % 2 == 0 ? -1 : 1); }

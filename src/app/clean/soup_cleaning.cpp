@@ -27,6 +27,11 @@ namespace {
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);
 }
 
+// What has become of the boundary is not what was done.
+bool is_told_of_boundary(Change_kind kind) {
+  return kind == Change_kind::BOUNDARY_EDGES_CLOSED || kind == Change_kind::BOUNDARY_EDGES_OPENED;
+}
+
 Soup_as_mesh mended_mesh(Soup soup, const Remedies& remedies) {
   Soup_as_mesh result;
   result.mended = mend(std::move(soup), remedies);
@@ -36,7 +41,7 @@ Soup_as_mesh mended_mesh(Soup soup, const Remedies& remedies) {
     refuse(built.defects);
   result.mesh = std::move(built.mesh);
   for(const Change& change : result.mended.changes) {
-    result.record.count += change.count;
+    result.record.count += is_told_of_boundary(change.kind) ? 0 : change.count;
     result.record.done.push_back(std::to_string(change.count) + " " + change.words);
   }
   return result;

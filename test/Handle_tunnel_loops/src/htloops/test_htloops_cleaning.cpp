@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -242,6 +244,41 @@ TEST(Cleaning, closes_boundaries) {
   }
 }
 
+// In a vertex, which is split when the mesh is made a manifold, and is one again once they are
+// closed.
+TEST(Cleaning, closes_boundaries_that_touch) {
+  Soup ball = sphere(1., {0., 0., 0.}, 1280);
+  std::map<std::uint32_t, std::vector<std::size_t>> around;
+  for(std::size_t t = 0; t < ball.triangles.size(); ++t)
+    for(const auto v : ball.triangles[t])
+      around[v].push_back(t);
+  const auto& [centre, fan] = *std::find_if(around.begin(), around.end(),
+                                            [](const auto& at) { return at.second.size() == 6; });
+  const auto is_beside = [&ball, &fan = fan, &centre = centre](std::size_t t) {
+    const auto& first = ball.triangles[fan.front()];
+    return std::count_if(first.begin(), first.end(), [&, c = centre](auto v) {
+             return v != c &&
+                    std::count(ball.triangles[t].begin(), ball.triangles[t].end(), v) != 0;
+           }) != 0;
+  };
+  std::vector<std::size_t> out = {fan.front()};
+  for(const std::size_t t : fan)
+    if(!is_beside(t))
+      out.push_back(t); // one of those on the other side
+  ASSERT_GT(out.size(), 1u);
+  out.resize(2);
+  std::sort(out.rbegin(), out.rend());
+  for(const std::size_t t : out)
+    ball.triangles.erase(ball.triangles.begin() + std::ptrdiff_t(t));
+  const Cleaned_soup result = cleaned(ball);
+  EXPECT_TRUE(result.is_closed());
+  EXPECT_EQ(record_of(result, Clean_step::HOLES).count, 2u);
+  EXPECT_EQ(result.after.crossings, 0u);
+  EXPECT_EQ(result.after.parts, 1u);
+  EXPECT_EQ(result.after.faces, ball.triangles.size() + 2);
+  EXPECT_EQ(number_of_crossings(result.mesh), 0u);
+}
+
 // A rod through the hole is in the way of its cap.
 TEST(Cleaning, leaves_boundaries_where_no_cap_fits) {
   Soup rod = sphere(1., {0., 0., 0.}, 1280);
@@ -265,7 +302,7 @@ TEST(Cleaning, leaves_boundaries_where_no_cap_fits) {
 
 TEST(Cleaning, keeps_crossings_and_adds_none) {
   const Soup soup =
-      generators::joined({sphere(1., {0., 0., 0.}, 1280), sphere(1., {1., 0., 0.}, 1280)});
+      generators::joined({sphere(1., {0., 0., 0.}, 1280), sphere(1., {0.987, 0., 0.}, 1280)});
   const Cleaned_soup result = cleaned(soup);
   expect_solid(soup, result);
   EXPECT_GT(result.after.crossings, 0u);
