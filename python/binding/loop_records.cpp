@@ -193,8 +193,8 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
                   "certificate"_a = certificate_of(answer.certificate),
                   "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
                   "ended_by_time"_a = answer.statistics.was_ended_by_time,
-                  "number_of_vertices"_a = answer.statistics.number_of_vertices,
-                  "number_of_faces"_a = answer.statistics.number_of_faces,
+                  "number_of_vertices"_a = mesh.number_of_vertices(),
+                  "number_of_faces"_a = mesh.number_of_faces(),
                   "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
                   "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries,
                   "waists"_a = waists, "bores"_a = record_of_bores(answer.bores), **record);

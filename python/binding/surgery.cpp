@@ -21,6 +21,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace htl_python {
@@ -119,20 +120,57 @@ py::tuple remove_handles(const py::array& points,
   return py::make_tuple(arrays[0], arrays[1], array_of(answer.face_origins), words);
 }
 
+htloops::Face_cuts flags_of(const Mesh& mesh,
+                            const std::vector<std::array<py::ssize_t, 2>>& edges) {
+  if(edges.empty())
+    return {};
+  htloops::Face_cuts flags(mesh.number_of_halfedges(), 0);
+  for(const auto& [u, v] : edges) {
+    const Mesh::Halfedge_index h = mesh.halfedge(vertex_of(mesh, u), vertex_of(mesh, v));
+    if(h == Mesh::Halfedge_index())
+      throw std::invalid_argument("avoid: the mesh has no edge from " + std::to_string(u) + " to " +
+                                  std::to_string(v));
+    flags[mesh.edge(h).idx()] = 1;
+  }
+  return flags;
+}
+
+htloops::Cut_options cut_options_of(const Mesh& mesh, const py::dict& chosen) {
+  htloops::Cut_options options;
+  options.cones = vertices_of(mesh, py::cast<std::vector<py::ssize_t>>(chosen["cones"]));
+  options.avoided =
+      flags_of(mesh, py::cast<std::vector<std::array<py::ssize_t, 2>>>(chosen["avoid"]));
+  options.do_cut_spheres = py::cast<bool>(chosen["cut_spheres"]);
+  return options;
+}
+
 py::tuple cut_to_disk(const py::array& points,
                       const py::array& triangles,
-                      const std::vector<py::ssize_t>& cones,
-                      bool cut_spheres,
+                      const py::dict& chosen,
                       int threads,
                       Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
-  htloops::Cut_options options;
-  options.cones = vertices_of(mesh, cones);
-  options.do_cut_spheres = cut_spheres;
+  const htloops::Cut_options options = cut_options_of(mesh, chosen);
   const auto opened = compute(threads, watch, [&] {
     return htloops::opened_mesh(mesh, htloops::find_cut(mesh, options, watch).edges);
   });
   return py::make_tuple(rows_of<double>(opened.points), rows_of<std::int64_t>(opened.triangles));
+}
+
+py::array cut_edges(const py::array& points,
+                    const py::array& triangles,
+                    const py::dict& chosen,
+                    int threads,
+                    Watch& watch) {
+  const Mesh mesh = mesh_of(points, triangles);
+  const htloops::Cut_options options = cut_options_of(mesh, chosen);
+  const auto edges =
+      compute(threads, watch, [&] { return htloops::find_cut(mesh, options, watch).edges; });
+  std::vector<std::int64_t> ends;
+  for(const Mesh::Edge_index e : edges)
+    for(const int i : {0, 1})
+      ends.push_back(mesh.vertex(e, i).idx());
+  return array_of(ends, 2);
 }
 
 py::list dual_cuts(const py::array& points, const py::array& triangles, int threads, Watch& watch) {
@@ -160,6 +198,7 @@ py::list dual_cuts(const py::array& points, const py::array& triangles, int thre
 void add_surgery(py::module_& module) {
   module.def("remove_handles", &remove_handles);
   module.def("cut_to_disk", &cut_to_disk);
+  module.def("cut_edges", &cut_edges);
   module.def("dual_cuts", &dual_cuts);
 }
 

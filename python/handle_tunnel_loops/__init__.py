@@ -31,6 +31,7 @@ Functions
     clean           a closed solid, made of a mesh with something wrong
     remove_handles  a mesh without some of its handles
     cut_to_disk     a mesh cut open along a short graph, for parametrization
+    cut_edges       the edges of that cut, as seams of textures
     dual_cuts       for each loop, a cut that crosses it once, for circuits
     html            a page in which the mesh with its loops can be turned
     picture         the same as a picture, if has_pictures is true of the build
@@ -55,7 +56,7 @@ from ._pictures import picture
 from ._reeb import ReebGraph, reeb
 from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
 from ._sources import generate, kinds, read, repair, write
-from ._surgery import DualCut, cut_to_disk, dual_cuts, remove_handles
+from ._surgery import DualCut, cut_edges, cut_to_disk, dual_cuts, remove_handles
 from ._survey import survey
 from ._throats import Throat, throats
 
@@ -79,6 +80,7 @@ __all__ = [
     "certify",
     "clean",
     "curve_skeleton",
+    "cut_edges",
     "cut_to_disk",
     "dual_cuts",
     "generate",

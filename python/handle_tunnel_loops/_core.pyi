@@ -110,13 +110,11 @@ def remove_handles(
     watch: Watch,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, _Record]: ...
 def cut_to_disk(
-    points: np.ndarray,
-    triangles: np.ndarray,
-    cones: Sequence[int],
-    cut_spheres: bool,
-    threads: int,
-    watch: Watch,
+    points: np.ndarray, triangles: np.ndarray, chosen: _Record, threads: int, watch: Watch
 ) -> _Mesh: ...
+def cut_edges(
+    points: np.ndarray, triangles: np.ndarray, chosen: _Record, threads: int, watch: Watch
+) -> np.ndarray: ...
 def dual_cuts(
     points: np.ndarray, triangles: np.ndarray, threads: int, watch: Watch
 ) -> List[_Record]: ...

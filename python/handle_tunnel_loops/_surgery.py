@@ -130,6 +130,7 @@ def cut_to_disk(
     *,
     cones: Sequence[int] = (),
     cut_spheres: bool = False,
+    avoid: Any = (),
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -140,6 +141,8 @@ def cut_to_disk(
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
     cones : vertices that the cut has to pass
     cut_spheres : whether spheres are cut, too
+    avoid : (k, 2): edges, by the vertices that each joins, that the cut is not to run along, as those that cut
+        polygons into triangles
     threads, progress : as for `loops`
 
     Returns
@@ -148,19 +151,36 @@ def cut_to_disk(
     vertex_origin : (n',): the vertex of the given mesh that each vertex is, or is a copy of
     """
     points, triangles = arrays(V, F)
+    chosen = _cut_options(cones, cut_spheres, avoid)
     new_points, new_triangles = computed(
-        "cut",
-        progress,
-        _core.cut_to_disk,
-        points,
-        triangles,
-        vertices("cones", cones),
-        bool(cut_spheres),
-        threads_of(threads),
+        "cut", progress, _core.cut_to_disk, points, triangles, chosen, threads_of(threads)
     )
     origin = np.arange(len(new_points))
     origin[new_triangles] = triangles
     return new_points, new_triangles, origin
+
+
+def cut_edges(
+    V: Any,
+    F: Any = None,
+    *,
+    cones: Sequence[int] = (),
+    cut_spheres: bool = False,
+    avoid: Any = (),
+    threads: Optional[int] = 0,
+    progress: Any = None,
+) -> np.ndarray:
+    """The edges that `cut_to_disk` cuts a mesh along, as seams of textures: (k, 2), by the vertices that each joins."""
+    points, triangles = arrays(V, F)
+    chosen = _cut_options(cones, cut_spheres, avoid)
+    return computed("cut", progress, _core.cut_edges, points, triangles, chosen, threads_of(threads))
+
+
+def _cut_options(cones: Any, cut_spheres: Any, avoid: Any) -> Dict[str, Any]:
+    edges = numbers("avoid", avoid, "integers")
+    if edges.size > 0 and (edges.ndim != 2 or edges.shape[1] != 2):
+        raise ValueError(f"avoid has to be an array of shape (k, 2), edges; its shape is {edges.shape}")
+    return dict(cones=vertices("cones", cones), cut_spheres=bool(cut_spheres), avoid=edges.tolist())
 
 
 @dataclass(frozen=True, eq=False)

@@ -294,3 +294,12 @@ def test_repair(torus):
     assert htl.loops(corners, triangles).genus == 0
     with pytest.raises(htl.MeshError):
         htl.repair(np.full((3, 3), np.nan), [[0, 1, 2]])
+
+
+def test_a_vertex_without_faces_does_not_matter(genus_3):
+    V, F = genus_3
+    V = np.vstack([V, np.full((1, 3), 99)])
+    L = htl.loops(V, F)
+    assert L.genus == 3 and htl.certify(V, F, L) and len(htl.measure(V, F, L)) == 3
+    assert htl.remove_handles(V, F, loops=L)[3]["genus_after"] == 0 == htl.remove_handles(V, F)[3]["genus_after"]
+    assert isinstance(htl.throats(V, F, L), list)

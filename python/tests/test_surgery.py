@@ -121,6 +121,30 @@ def test_cut_to_disk(genus_3):
     assert euler_characteristic(htl.cut_to_disk(V, F, cut_spheres=True)[1]) == 1
 
 
+def test_cut_edges_avoid_the_diagonals_of_polygons(genus_3):
+    V, F = genus_3
+    _, opened, origin = htl.cut_to_disk(V, F)
+    edges, counts = np.unique(edges_of(opened), axis=0, return_counts=True)
+    sides = np.unique(np.sort(origin[edges[counts == 1]], axis=1), axis=0)
+    assert np.array_equal(np.unique(np.sort(htl.cut_edges(V, F), axis=1), axis=0), sides)
+    n = 12  # a torus of squares
+    i, j = np.divmod(np.arange(n * n), n)
+    at = lambda i, j: i % n * n + j % n
+    angles = 2 * np.pi / n
+    V = np.stack([(3 + np.cos(j * angles)) * np.cos(i * angles), (3 + np.cos(j * angles)) * np.sin(i * angles),
+                  np.sin(j * angles)], axis=1)
+    a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+    F = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    diagonals = np.stack([a, c], axis=1)
+    cut = np.sort(htl.cut_edges(V, F, avoid=diagonals), axis=1)
+    assert len(cut) and not {tuple(e) for e in cut} & {tuple(e) for e in np.sort(diagonals, axis=1)}
+    assert euler_characteristic(htl.cut_to_disk(V, F, avoid=diagonals)[1]) == 1
+    with pytest.raises(ValueError, match="avoid: the mesh has no edge from 0 to 7"):
+        htl.cut_edges(V, F, avoid=[[0, 7]])
+    with pytest.raises(ValueError, match="avoid has to be an array of shape"):
+        htl.cut_edges(V, F, avoid=[0, 1])
+
+
 def test_dual_cuts():
     V, F = htl.generate("multi-torus", faces=3000, genus=2, holes=3, hole_faces=30)
     cuts = htl.dual_cuts(V, F)
