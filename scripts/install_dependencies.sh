@@ -19,7 +19,7 @@ all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshi
   python3-pil python3-distributed)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
 judges=("${tests[@]}" python3-nibabel python3-gmsh blender paraview python3-paraview prusa-slicer
-  pymol)
+  pymol xvfb xauth)
 
 case "${1:-tool}" in
   tool) wanted=("${tool[@]}") ;;

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import concurrent.futures as futures_of_python
 import itertools
-import multiprocessing
 import os
 import sys
 from typing import Any, Callable, Dict, Generator, Iterator, List, Set
@@ -85,6 +84,9 @@ def _rows_of_processes(paths: Iterator[str], compute: Compute, number: int) -> R
 
 
 def _processes(number: int) -> futures_of_python.ProcessPoolExecutor:
+    # Here, as programs that run Python within them, as Blender does, may not stand that it is imported.
+    import multiprocessing
+
     # A fork would lack the threads that compute.
     context = multiprocessing.get_context("spawn")
     return futures_of_python.ProcessPoolExecutor(number, mp_context=context)

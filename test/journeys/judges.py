@@ -190,6 +190,14 @@ def program_in_blender(program, *arguments, folder=None, code=0):
     return done.stdout + done.stderr
 
 
+def program_in_paraview(program, *arguments):
+    """Runs a program in ParaView without a window, but with a display if there can be one: its output."""
+    # A display that begins anew when nobody uses it is not there for who comes meanwhile.
+    display = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset"]
+    has_display = os.environ.get("DISPLAY") or not shutil.which(display[0])
+    return _output([*([] if has_display else display), _program("pvpython"), *map(str, (program, *arguments))])
+
+
 def script_says(python, script, *arguments, folder=None):
     """The output of a script beside this file, which has to be content."""
     return _output([python, str(pathlib.Path(__file__).parent / script), *map(str, arguments)], cwd=folder)

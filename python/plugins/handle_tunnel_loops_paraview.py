@@ -1,0 +1,525 @@
+"""Filters for ParaView over the module handle_tunnel_loops: the menu Filters > Handles.
+
+Tools > Manage Plugins > Load New takes this file. In scripts, and in the shell of ParaView,
+
+    import handle_tunnel_loops_paraview
+    handle_tunnel_loops_paraview.load(globals())
+
+That is also the way for ParaView 5.11 with Python 3.11, which refuses all plugins in Python before it reads them.
+"""
+
+import glob
+import inspect
+import os
+import re
+import sys
+
+import numpy as np
+
+if not hasattr(inspect, "getargspec"):  # ParaView 5.11 asks for it; Python has it no more since 3.11
+    inspect.getargspec = inspect.getfullargspec
+
+from paraview import print_error, print_warning
+from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smdomain, smhint, smproperty, smproxy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+paraview_plugin_name = "Handle and tunnel loops"
+paraview_plugin_version = "0.1"
+
+
+def module():
+    """handle_tunnel_loops: where Python looks, or beside this file as both are installed."""
+    try:
+        import handle_tunnel_loops
+    except ImportError:
+        here = os.path.abspath(__file__)
+        above = [os.path.dirname(here)]
+        while len(above) < 4:
+            above.append(os.path.dirname(above[-1]))
+        for folder in [above[2], *glob.glob(os.path.join(above[3], "lib*", "python3*", "*-packages"))]:
+            if os.path.isdir(os.path.join(folder, "handle_tunnel_loops")):
+                sys.path.append(folder)
+        try:
+            import handle_tunnel_loops
+        except ImportError as error:
+            raise ImportError(
+                f"the Python module handle_tunnel_loops is not there for Python {sys.version_info[0]}.{sys.version_info[1]} "
+                f"({error}): install it by `cmake --install`, and name the folder that it is in in PYTHONPATH"
+            ) from None
+    return handle_tunnel_loops
+
+
+# ---- Properties, as ParaView shows them: in the order in which they are given.
+
+
+class Property:
+    """One, with its XML; `only` is (NAME, VALUES): shown where that property has one of these values. Its label is its
+    name in words, as scripts of ParaView know properties by their labels."""
+
+    def __init__(self, name, default, help_, kind="String", domain="", only=None):
+        self.name, self.default = name, default
+        label = re.sub("(?<=[a-z])(?=[A-Z])", " ", name)
+        hints = ""
+        if only is not None:
+            hints = "<Hints>" + "".join(
+                f'<PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="{only[0]}" '
+                f'values="{" ".join(map(str, only[1]))}"/>'
+            ) + "</Hints>"
+        self.xml = (
+            f'<{kind}VectorProperty name="{name}" label="{label}" command="Set{name}" number_of_elements="1" '
+            f'default_values="{default}">{domain}<Documentation>{help_}</Documentation>{hints}</{kind}VectorProperty>'
+        )
+
+
+def text(name, help_, only=None):
+    return Property(name, "", help_, only=only)
+
+
+def real(name, default, help_, only=None):
+    return Property(name, default, help_, "Double", '<DoubleRangeDomain name="range" min="0"/>', only)
+
+
+def whole(name, default, help_, only=None):
+    return Property(name, default, help_, "Int", '<IntRangeDomain name="range" min="0"/>', only)
+
+
+def flag(name, default, help_, only=None):
+    return Property(name, int(default), help_, "Int", '<BooleanDomain name="bool"/>', only)
+
+
+def choice(name, words, help_, default=0, only=None):
+    entries = "".join(f'<Entry text="{word}" value="{i}"/>' for i, word in enumerate(words))
+    domain = f'<EnumerationDomain name="enum">{entries}</EnumerationDomain>'
+    return Property(name, default, help_, "Int", domain, only)
+
+
+def point_array(name, none, help_):
+    domain = (
+        f'<ArrayListDomain name="array_list" attribute_type="Scalars" input_domain_name="input_array" none_string="{none}">'
+        '<RequiredProperties><Property function="Input" name="Input"/></RequiredProperties></ArrayListDomain>'
+    )
+    return Property(name, none, help_, domain=domain)
+
+
+MENDING = choice(
+    "Mending",
+    ["Take the surface as it is", "Weld points in the same place", "Repair"],
+    "Sources and files of ParaView often have seams: points that lie in the same place. Repair also drops what is "
+    "double or without area, splits what is no manifold, and orients faces alike.",
+    default=1,
+)
+
+
+def filter_of_surfaces(label, *properties):
+    """What makes a class a filter that takes a surface and has these properties."""
+
+    def setter(name):
+        def set_value(self, value):
+            if self.values[name] != value:
+                self.values[name] = value
+                self.Modified()
+
+        return set_value
+
+    def decorate(cls):
+        every = [MENDING, *properties]
+        cls.defaults = {one.name: one.default for one in every}
+        for one in every:
+            setattr(cls, f"Set{one.name}", setter(one.name))
+        arrays = '<InputArrayDomain name="input_array" attribute_type="point" number_of_components="1" optional="1"/>'
+        cls = smdomain.xml(arrays)(cls)
+        cls = smdomain.datatype(dataTypes=["vtkPolyData"], composite_data_supported=True)(cls)
+        cls = smproperty.input(name="Input", port_index=0, multiple_input=False)(cls)
+        cls = smproperty.xml(
+            f"<Documentation>{cls.__doc__}</Documentation>" + "".join(one.xml for one in [*properties, MENDING]))(cls)
+        cls = smhint.xml('<ShowInMenu category="Handles"/>')(cls)
+        return smproxy.filter(label=label, support_reload=False)(cls)
+
+    return decorate
+
+
+# ---- Data of VTK, and arrays
+
+
+class Surface:
+    """The triangles of a polydata: V and F, and of which points and cells of it they are."""
+
+    def __init__(self, htl, data, mending):
+        triangles = vtkTriangleFilter()
+        triangles.PassVertsOff()
+        triangles.PassLinesOff()
+        triangles.SetInputData(data)
+        triangles.Update()
+        self.data = triangles.GetOutput()
+        if self.data.GetNumberOfPolys() == 0:
+            raise ValueError("the input has no polygons, and so it is no surface")
+        self.V = vtk_to_numpy(self.data.GetPoints().GetData()).astype(float)
+        self.F = vtk_to_numpy(self.data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        self.vertex_origin, self.face_origin = np.arange(len(self.V)), np.arange(len(self.F))
+        if mending != 0:
+            steps = ["degenerate", "weld"] if mending == 1 else None
+            self.V, self.F, self.face_origin, self.vertex_origin, _ = htl.repair(self.V, self.F, steps=steps)
+        self.diagonal = float(np.linalg.norm(np.ptp(self.V[np.unique(self.F)], axis=0)))
+
+
+def as_vtk(name, values):
+    """An array of VTK: of numbers, or of words."""
+    if len(values) > 0 and isinstance(values[0], str):
+        array = vtkStringArray()
+        array.SetNumberOfValues(len(values))
+        for i, word in enumerate(values):
+            array.SetValue(i, word)
+    else:
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
+    array.SetName(name)
+    return array
+
+
+def cells_of(offsets, corners):
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(np.asarray(offsets, dtype=np.int64), deep=1),
+                  numpy_to_vtkIdTypeArray(np.asarray(corners, dtype=np.int64), deep=1))
+    return cells
+
+
+def points_of(V):
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(V), deep=1))
+    return points
+
+
+def lines_of(polylines, are_closed, cell_arrays, point_arrays=None, facts=None):
+    """A polydata with a line for each polyline; a closed one comes back to its first point."""
+    data = vtkPolyData()
+    V = np.concatenate([np.zeros((0, 3)), *polylines])
+    starts = np.cumsum([0, *map(len, polylines)])
+    rows = [np.append(np.arange(a, b), [a] if are_closed else []) for a, b in zip(starts[:-1], starts[1:])]
+    data.SetPoints(points_of(V))
+    data.SetLines(cells_of(np.cumsum([0, *map(len, rows)]), np.concatenate([np.zeros(0), *rows])))
+    for attributes, arrays in ((data.GetCellData(), cell_arrays), (data.GetPointData(), point_arrays or {}),
+                               (data.GetFieldData(), facts or {})):
+        for name, values in arrays.items():
+            attributes.AddArray(as_vtk(name, values))
+    return data
+
+
+def copy_attributes(source, target, origin):
+    """What each element had that `origin` names; -1 is a new one, of which numbers are not known: NaN, or 0."""
+    is_new = origin < 0
+    for i in range(source.GetNumberOfArrays()):
+        old = source.GetAbstractArray(i)
+        if old.GetName() is None or source.IsArrayAnAttribute(i) == source.NORMALS:
+            continue  # normals are those of the old surface; ParaView makes new ones
+        if isinstance(old, vtkDataArray):
+            values = vtk_to_numpy(old)[origin]
+            values[is_new] = np.nan if values.dtype.kind == "f" else 0
+            new = numpy_to_vtk(np.ascontiguousarray(values), deep=1, array_type=old.GetDataType())
+            for k in range(old.GetNumberOfComponents()):
+                if old.GetComponentName(k):
+                    new.SetComponentName(k, old.GetComponentName(k))
+        elif isinstance(old, vtkStringArray):
+            new = as_vtk("", ["" if j < 0 else old.GetValue(j) for j in origin.tolist()])
+        else:
+            continue
+        new.SetName(old.GetName())
+        target.AddArray(new)
+
+
+# ---- Filters
+
+
+class SurfaceFilter(VTKPythonAlgorithmBase):
+    """Errors are said, and leave an output that is empty."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=1, inputType="vtkPolyData", nOutputPorts=1, outputType="vtkPolyData")
+        self.values = dict(self.defaults)
+
+    def RequestData(self, request, inputs, outputs):
+        data, output = vtkPolyData.GetData(inputs[0]), vtkPolyData.GetData(outputs)
+        output.Initialize()
+        self.SetAbortExecute(0)  # of the last time
+        try:
+            htl = module()
+            output.ShallowCopy(self.answer(htl, Surface(htl, data, self.values["Mending"])))
+        except ImportError as error:
+            print_error(str(error))
+        except htl.MeshError as error:
+            lines = [line.strip() for line in str(error).splitlines() if not line.startswith("repair()")]
+            self.say(print_error, "; ".join([*lines, *self.advice()]))
+        except htl.Interrupted:
+            self.say(print_warning, "interrupted")
+        except (ValueError, TypeError, MemoryError) as error:
+            self.say(print_error, error)
+        return 1
+
+    def say(self, how, what):
+        how("%s: %s", self.label, what)
+
+    def advice(self):
+        return [] if self.values["Mending"] == 2 else ["Mending has Repair"]
+
+    def told(self, begin=0.0, end=1.0):
+        """What a computation tells how far it is, and asks whether to go on."""
+
+        def progress(fraction):
+            self.UpdateProgress(begin + (end - begin) * fraction)
+            return not self.GetAbortExecute()
+
+        return progress
+
+    def length(self, name, diagonal):
+        """A length, or a share of the diagonal; None if there is no text."""
+        words = (self.values[name] or "").strip()  # ParaView has None for no text
+        if not words:
+            return None
+        try:
+            value = float(words[:-1]) / 100 * diagonal if words.endswith("%") else float(words)
+        except ValueError:
+            value = np.nan
+        if not value >= 0:
+            raise ValueError(f"{words} is no length: that is such as 0.25, or 3% of the diagonal of the box")
+        return value
+
+    def numbers(self, name):
+        words = (self.values[name] or "").replace(",", " ").split()
+        if not words or not all(word.isdecimal() for word in words):
+            raise ValueError(f"'{' '.join(words)}' are no numbers of pairs: these are such as 0, 3")
+        return [int(word) for word in words]
+
+
+BASES = ["pure", "shortest"]
+KINDS = ["handle", "tunnel", "boundary"]
+
+
+@filter_of_surfaces(
+    "Handle Tunnel Loops",
+    choice("Show", ["Both loops of each pair", "Handle loops", "Tunnel loops", "The shorter loop of each pair"],
+           "Handle loops bound in the solid inside, tunnel loops in the space outside."),
+    text("ShorterThan",
+         "Pairs with a loop that is shorter: a length, such as 0.25, or a percentage of the diagonal of the box, such as 3%. "
+         "Empty: all."),
+    text("LongerThan", "Pairs of which no loop is shorter than that. Empty: all."),
+    flag("Boundaries", False, "The boundary curves of the surface, too."),
+    flag("Measures", False,
+         "How thick each handle is, and how wide its hole: diameters of the largest balls. Takes longer."),
+    choice("Basis", ["Pure", "Shortest"],
+           "Shortest: shorter loops, whatever side they bound on. Thickness and clear width want pure ones."),
+)
+class HandleTunnelLoops(SurfaceFilter):
+    """Cells are closed lines. They have pair, kind (0 handle, 1 tunnel, 2 boundary), length, size (the shorter loop
+    of the pair over the diagonal), diameter, component and bounds; thickness, clear_width and noise if asked for."""
+
+    label = "Handle Tunnel Loops"
+
+    def answer(self, htl, surface):
+        V, F, is_measured = surface.V, surface.F, bool(self.values["Measures"])
+        L = htl.loops(V, F, BASES[self.values["Basis"]], progress=self.told(0, 0.7 if is_measured else 1))
+        loops = [loop for pair in self.chosen(L, surface.diagonal) for loop in pair]
+        if self.values["Boundaries"]:
+            loops += L.boundaries
+        table = L.table()[np.argsort(L.table()["pair"])]
+        of_pair = {name: table[name] for name in ("size", "diameter")}
+        if is_measured:
+            M = htl.measure(V, F, L)
+            of_pair.update(thickness=M.thickness.diameters, clear_width=M.clear_width.diameters, noise=M.noise)
+        numbers = np.array([loop.number for loop in loops], dtype=np.int64)
+        kinds = np.array([KINDS.index(loop.kind) for loop in loops], dtype=np.uint8)
+        arrays = {
+            "pair": numbers,
+            "kind": kinds,
+            "length": np.array([loop.length for loop in loops]),
+            **{name: column_of_pairs(column, numbers, kinds < 2) for name, column in of_pair.items()},
+            "component": np.array([loop.component for loop in loops], dtype=np.int64),
+            "bounds": [loop.bounds for loop in loops],
+        }
+        data = lines_of([loop.points for loop in loops], True, arrays,
+                        facts={"genus": [L.genus], "certified": [int(L.certificate.certified)]})
+        data.GetCellData().SetActiveScalars("kind")
+        return data
+
+    def chosen(self, L, diagonal):
+        """Pairs, of which some loops may be left out."""
+        least, most = self.length("LongerThan", diagonal), self.length("ShorterThan", diagonal)
+        for pair in L:
+            shorter = min(pair, key=lambda loop: loop.length)
+            if (least is None or shorter.length >= least) and (most is None or shorter.length < most):
+                yield [pair, pair[:1], pair[1:], [shorter]][self.values["Show"]]
+
+
+def column_of_pairs(column, numbers, is_of_pair):
+    values = np.full(len(numbers), np.nan)
+    values[is_of_pair] = column[numbers[is_of_pair]]
+    return values
+
+
+WAYS = ["smallest-change", "cut", "fill"]
+
+
+@filter_of_surfaces(
+    "Remove Handles",
+    choice("Which", ["All handles", "The smallest, down to a genus", "Those with a shorter loop than",
+                               "Noise: what is thinner, or narrower, than", "Pairs"],
+           "Pairs have the numbers that Handle Tunnel Loops shows.", default=2),
+    whole("Genus", 0, "How many handles stay.", only=("Which", [1])),
+    Property("Limit", "3%", "A length, such as 0.25, or a percentage of the diagonal of the box, such as 3%.",
+             only=("Which", [2, 3])),
+    text("Pairs", "Their numbers, such as 0, 3.", only=("Which", [4])),
+    choice("By", ["The smaller change", "Cuts along handle loops", "Fills along tunnel loops"],
+           "A handle is cut through, or its hole is filled."),
+    flag("Force", False, "Also where that is no repair, as the bounding box would grow, say."),
+)
+class RemoveHandles(SurfaceFilter):
+    """The surface as triangles, with the data of points and cells where these are those of the input; what is new has
+    NaN, or 0. vertex_origin and face_parent say of which point and cell of the input, -1 for new ones."""
+
+    label = "Remove Handles"
+
+    def answer(self, htl, surface):
+        V, F = surface.V, surface.F
+        L = htl.loops(V, F, progress=self.told(0, 0.6))
+        V, F, _, report = htl.remove_handles(
+            V, F, loops=L, by=WAYS[self.values["By"]], force=bool(self.values["Force"]),
+            **self.chosen(htl, surface, L), progress=self.told(0.6, 1))
+        for one in report["refused"]:
+            self.say(print_warning, f"pair {one['pair']} stays: {one['reason']}")
+        vertices, faces = report["vertex_origin"], report["face_parent"]
+        return self.output(surface, V, F, np.where(vertices < 0, -1, surface.vertex_origin[vertices]),
+                           np.where(faces < 0, -1, surface.face_origin[faces]), report)
+
+    def chosen(self, htl, surface, L):
+        which = self.values["Which"]
+        if which == 0:
+            return {"genus": 0}
+        if which == 1:
+            return {"genus": self.values["Genus"]}
+        if which == 4:
+            return {"pairs": self.numbers("Pairs")}
+        limit = self.length("Limit", surface.diagonal)
+        if limit is None:
+            raise ValueError("Limit is empty: it is such as 0.25, or 3% of the diagonal of the box")
+        if which == 2:
+            return {"shorter_than": limit}
+        return {"pairs": np.flatnonzero(htl.measure(surface.V, surface.F, L).noise < limit).tolist()}
+
+    @staticmethod
+    def output(surface, V, F, vertex_origin, face_parent, report):
+        used, corners = np.unique(F, return_inverse=True)
+        vertex_origin = vertex_origin[used]
+        data, old = vtkPolyData(), surface.data
+        data.SetPoints(points_of(V[used].astype(vtk_to_numpy(old.GetPoints().GetData()).dtype)))
+        data.SetPolys(cells_of(np.arange(0, 3 * len(F) + 1, 3), corners))
+        copy_attributes(old.GetPointData(), data.GetPointData(), vertex_origin)
+        copy_attributes(old.GetCellData(), data.GetCellData(), face_parent)
+        data.GetPointData().AddArray(as_vtk("vertex_origin", vertex_origin))
+        data.GetCellData().AddArray(as_vtk("face_parent", face_parent))
+        for name in ("genus_before", "genus_after"):
+            data.GetFieldData().AddArray(as_vtk(name, [report[name]]))
+        return data
+
+
+DRAWINGS = ["means", "inside"]
+FRONT = "(a front)"
+
+
+@filter_of_surfaces(
+    "Surface Reeb Graph",
+    point_array("Function", FRONT,
+                "An array of the points with one component; or the arrival times of a front, which give a skeleton."),
+    real("Simplify", 0.03, "The part of the whole up to which leaves are taken off."),
+    choice("Drawing", ["Along the means of contours", "In the middle of the solid"],
+           "The latter takes many times as long."),
+)
+class SurfaceReebGraph(SurfaceFilter):
+    """Cells are arcs, with arc, length, girth, on_cycle and the nodes at their ends; points have radius."""
+
+    label = "Surface Reeb Graph"
+
+    def answer(self, htl, surface):
+        graph = htl.reeb(surface.V, surface.F, self.function(surface), self.values["Simplify"],
+                         drawing=DRAWINGS[self.values["Drawing"]], progress=self.told())
+        arrays = {
+            "arc": np.arange(len(graph.arcs)),
+            "length": graph.lengths,
+            "girth": graph.girths,
+            "on_cycle": graph.is_on_cycle.astype(np.uint8),
+            "lower_node": graph.arcs[:, 0],
+            "upper_node": graph.arcs[:, 1],
+        }
+        return lines_of(graph.polylines, False, arrays, {"radius": np.concatenate([[], *graph.radii])},
+                        {"cycles": [graph.number_of_cycles]})
+
+    def function(self, surface):
+        name = self.values["Function"]
+        if name in (None, "", FRONT):
+            return None
+        array = surface.data.GetPointData().GetArray(name)
+        if array is None or array.GetNumberOfComponents() != 1:
+            raise ValueError(f"points of the input have no array {name} of one component")
+        return vtk_to_numpy(array)[surface.vertex_origin].astype(float)
+
+
+@filter_of_surfaces(
+    "Curve Skeleton",
+    real("ShortestLimb", 1.2,
+         "Limbs that are shorter than so many times the radius of their base are left out; cycles never are."),
+)
+class CurveSkeleton(SurfaceFilter):
+    """Cells are arcs, with arc, length, smallest_radius, mean_radius, tortuosity and on_cycle; points have radius and
+    component: the tubes of the filter Tube, by absolute radius, touch the surface."""
+
+    label = "Curve Skeleton"
+
+    def answer(self, htl, surface):
+        skeleton = htl.curve_skeleton(surface.V, surface.F, self.values["ShortestLimb"], progress=self.told())
+        if not skeleton.certificate:
+            self.say(print_warning, f"not proved to be in the middle of the solid: {skeleton.certificate.failure}")
+        rows = np.concatenate([np.zeros(0, dtype=np.int64), *skeleton.arcs])
+        arrays = {
+            "arc": np.arange(len(skeleton.arcs)),
+            "length": skeleton.lengths,
+            "smallest_radius": skeleton.smallest_radii,
+            "mean_radius": skeleton.mean_radii,
+            "tortuosity": skeleton.tortuosities,
+            "on_cycle": skeleton.is_on_cycle.astype(np.uint8),
+        }
+        of_points = {"radius": skeleton.radii[rows], "component": skeleton.components[rows]}
+        data = lines_of(skeleton.polylines, False, arrays, of_points, {"cycles": [skeleton.number_of_cycles]})
+        data.GetPointData().SetActiveScalars("radius")
+        return data
+
+
+@filter_of_surfaces(
+    "Throats",
+    real("LeastProminence", 0.25, "How prominent narrow places are at least, as a part of their lengths."),
+)
+class Throats(SurfaceFilter):
+    """Cells are closed lines around narrow places, with length, diameter, prominence, separating, pair (-1: of none)
+    and bounds."""
+
+    label = "Throats"
+
+    def answer(self, htl, surface):
+        L = htl.loops(surface.V, surface.F, progress=self.told(0, 0.4))
+        throats = htl.throats(surface.V, surface.F, L, least_prominence=self.values["LeastProminence"],
+                              progress=self.told(0.4, 1))
+        arrays = {
+            "throat": np.arange(len(throats)),
+            "length": np.array([throat.length for throat in throats]),
+            "diameter": np.array([throat.diameter for throat in throats]),
+            "prominence": np.array([throat.prominence for throat in throats]),
+            "separating": np.array([throat.separating for throat in throats], dtype=np.uint8),
+            "pair": np.array([-1 if throat.pair is None else throat.pair for throat in throats], dtype=np.int64),
+            "bounds": [throat.bounds for throat in throats],
+        }
+        return lines_of([throat.points for throat in throats], True, arrays)
+
+
+def load(names=None):
+    """Loads this file as a plugin. Filters are put into a dictionary, such as globals(), if there is one."""
+    from paraview import simple
+
+    simple.LoadPlugin(os.path.abspath(__file__), ns=names)
