@@ -291,3 +291,16 @@ print("\\nJUDGED " + __import__("json").dumps(dict(atoms=cmd.count_atoms("all"),
 
 def exported_by_assimp(file, result):
     _output([_program("assimp"), "export", str(file), str(result)])
+
+
+def surface_by_pymol(molecule, surface):
+    """The surface of a molecule, as OBJ, where its atoms are: PyMOL writes what the view sees, as that sees it."""
+    script = pathlib.Path(surface).with_suffix(".pml")
+    script.write_text(f"""load {molecule}
+hide everything
+set surface_quality, 1
+show surface
+set_view (1,0,0, 0,1,0, 0,0,1, 0,0,0, 0,0,0, 1,100,0)
+save {surface}
+""")
+    _output([_program("pymol"), "-cq", str(script)], env={**os.environ, "PATH": "/usr/bin:/bin"})

@@ -172,6 +172,34 @@ def test_who_looks_at_molecules_gets_channels_with_radii(tool):
     assert said["atoms"] == len(atoms) and said["radii"] == pytest.approx(radii, abs=1e-4)
 
 
+def ring_of_atoms(middle, large=9.0):
+    """Places of atoms around a hole."""
+    return [(middle[0] + (large + r) * math.cos(a), middle[1] + (large + r) * math.sin(a), middle[2] + z)
+            for a in (math.pi * i / 8 for i in range(16)) for r, z in ((0, 0), (-1.5, 1.5), (-1.5, -1.5), (1.5, 1.5), (1.5, -1.5))]
+
+
+def test_who_has_a_pqr_gets_channels_by_way_of_a_surface(tool):
+    """Atoms, to their surface by PyMOL, to a channel that PyMOL shows beside them."""
+    middle, radius = (5.0, -3.0, 2.0), 1.7
+    atoms = ring_of_atoms(middle)
+    rows = [f"ATOM  {i:5d}  C   GLY A{i:4d}    {x:8.3f}{y:8.3f}{z:8.3f}  0.0000 {radius:.4f}" for i, (x, y, z) in enumerate(atoms, 1)]
+    (tool.folder / "ring.pqr").write_text("\n".join([*rows, "END"]) + "\n")
+    judges.surface_by_pymol(tool.folder / "ring.pqr", tool.folder / "ring.obj")
+    tool.run("measure", "ring.obj", "--repair", "--channels", "channel.pdb", "-q")
+    lines = [line for line in (tool.folder / "channel.pdb").read_text().splitlines() if line.startswith("HETATM")]
+    places = [tuple(float(line[i:i + 8]) for i in (30, 38, 46)) for line in lines]
+    radii = [float(line[60:66]) for line in lines]
+    for place, room in zip(places, radii):  # the surface goes around the atoms, and no farther than a probe fits
+        distance = min(math.dist(place, atom) for atom in atoms) - radius
+        assert distance - 1.4 < room < distance + 0.1
+    assert 5 < min(radii) < 6
+    narrowest = places[radii.index(min(radii))]
+    assert math.dist(narrowest[:2], middle[:2]) < 0.5 and abs(narrowest[2] - middle[2]) < 3
+    assert {place[2] > middle[2] for place in places} == {True, False}  # it leads through
+    said = judges.pymol(tool.folder / "channel.pdb")
+    assert said["atoms"] == len(lines) and said["radii"] == pytest.approx(radii, abs=1e-4)
+
+
 def test_channels_come_in_other_formats_as_well(tool):
     points, quads = torus(48, 24, 6.0, 2.0)
     write_off(tool.folder / "protein.off", points, triangles_of(quads))

@@ -33,7 +33,9 @@ void check_room(const Point& p, double radius) {
 // A chain for each channel; its residue has the number of the pair.
 void write_pdb(Text_writer& out, const Channels& channels) {
   out << "REMARK   1 Channels found by htloops: the column of B factors is the radius\n"
-         "REMARK   1 PyMOL: alter all, vdw=b; rebuild; show spheres\n";
+         "REMARK   1 In PyMOL, a line each: alter all, vdw=b\n"
+         "REMARK   1                        rebuild\n"
+         "REMARK   1                        show spheres\n";
   std::size_t first = 1;
   constexpr std::size_t most_atoms = 99999;
   std::string bonds;
