@@ -111,12 +111,19 @@ class Surface:
     def diagonals(self, mesh):
         """Edges of triangles that are no edges of the mesh."""
         count = len(mesh.vertices)
-        edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
-        mesh.edges.foreach_get("vertices", edges)
-        sides = np.sort(self.F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-        ends = np.sort(edges.reshape(-1, 2).astype(np.int64), axis=1)
-        numbers = np.setdiff1d(sides @ [count, 1], ends @ [count, 1])
-        return np.stack(np.divmod(numbers, count), axis=1)
+        sides = edge_numbers(self.F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), count)
+        return np.stack(np.divmod(np.setdiff1d(sides, numbers_of_edges(mesh)), count), axis=1)
+
+
+def edge_numbers(ends, count):
+    """A number for each pair of vertices, in whichever order."""
+    return np.sort(ends.astype(np.int64), axis=1) @ [count, 1]
+
+
+def numbers_of_edges(mesh):
+    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", ends)
+    return edge_numbers(ends.reshape(-1, 2), len(mesh.vertices))
 
 
 class ObjectMode:
@@ -210,11 +217,8 @@ class Triangles:
     """Which triangles a loop runs through, and around which vertices."""
 
     def __init__(self, F):
-        self.F = F
-        self.of_vertex = {}
-        for f, corners in enumerate(F.tolist()):
-            for v in corners:
-                self.of_vertex.setdefault(v, set()).add(f)
+        self.order = np.argsort(F, axis=None, kind="stable")
+        self.starts = np.searchsorted(F.ravel()[self.order], np.arange(F.max() + 2))
 
     def along(self, loop):
         """A place is at a vertex, or on an edge; two that follow each other lie on a triangle."""
@@ -225,13 +229,26 @@ class Triangles:
         return {f for i, place in enumerate(places) for f in self.around(place | places[i - 1] if len(place) == 2 else place)}
 
     def around(self, corners):
-        return set.intersection(*(self.of_vertex[v] for v in corners))
+        return set.intersection(*(set((self.order[self.starts[v]:self.starts[v + 1]] // 3).tolist()) for v in corners))
 
 
 def noise_of(htl, surface, limit, told):
     """The loops, and the numbers of the pairs with a loop that is shorter."""
     L = htl.loops(surface.V, surface.F, progress=told)
     return L, [i for i, pair in enumerate(L) if shorter(pair).length < limit]
+
+
+def select(mesh, polygons, is_extending):
+    """Polygons, with their edges and vertices, which are shown if they were hidden."""
+    if not is_extending:
+        for elements in (mesh.polygons, mesh.edges, mesh.vertices):
+            elements.foreach_set("select", np.zeros(len(elements), dtype=bool))
+    for f in polygons:
+        polygon = mesh.polygons[f]
+        edges = [mesh.edges[mesh.loops[i].edge_index] for i in polygon.loop_indices]
+        for element in (polygon, *edges, *(mesh.vertices[v] for v in polygon.vertices)):
+            element.hide, element.select = False, True
+    mesh.update()
 
 
 class HTL_OT_select_noise(Limit, Operator):
@@ -258,18 +275,7 @@ class HTL_OT_select_noise(Limit, Operator):
         L, noise = noise_of(htl, surface, self.limit(surface), self.told)
         triangles = Triangles(surface.F)
         polygons = {int(surface.polygons[f]) for i in noise for f in triangles.along(shorter(L[i]))}
-        bm = bmesh.new()
-        bm.from_mesh(mesh)
-        if not self.extend:
-            for element in (*bm.faces, *bm.edges, *bm.verts):
-                element.select_set(False)
-        bm.faces.ensure_lookup_table()
-        for f in polygons:
-            bm.faces[f].hide_set(False)
-            bm.faces[f].select_set(True)
-        bm.to_mesh(mesh)
-        bm.free()
-        mesh.update()
+        select(mesh, polygons, self.extend)
         context.tool_settings.mesh_select_mode = (False, False, True)
         return f"Handles that are noise: {len(noise)} of {L.genus}; faces that are selected: {len(polygons)}"
 
@@ -455,12 +461,11 @@ class HTL_OT_mark_seams(Operator):
             cones = [v.index for v in mesh.vertices if v.select and v.index in used]
         seams = htl.cut_edges(surface.V, surface.F, cones=cones, cut_spheres=True, avoid=surface.diagonals(mesh),
                               progress=self.told)
-        edges = {frozenset(edge.vertices): edge for edge in mesh.edges}
-        if self.clear:
-            for edge in mesh.edges:
-                edge.use_seam = False
-        for ends in seams.tolist():
-            edges[frozenset(ends)].use_seam = True
+        is_seam = np.zeros(len(mesh.edges), dtype=bool)
+        if not self.clear:
+            mesh.edges.foreach_get("use_seam", is_seam)
+        is_seam |= np.isin(numbers_of_edges(mesh), edge_numbers(seams, len(mesh.vertices)))
+        mesh.edges.foreach_set("use_seam", is_seam)
         mesh.update()
         return f"Edges marked as seams: {len(seams)}"
 

@@ -192,6 +192,25 @@ def noise_is_selected_as_bands_around_handles():
 
 
 @check
+def selections_can_be_extended_and_show_what_was_hidden():
+    def selected_with(face, **options):
+        obj = add("ring", *torus_of_quads())
+        for element in (*obj.data.vertices, *obj.data.edges, *obj.data.polygons):
+            element.select, element.hide = False, True
+        first = obj.data.polygons[face]
+        for element in (first, *(obj.data.vertices[v] for v in first.vertices)):
+            element.select, element.hide = True, False
+        bpy.ops.mesh.htl_select_noise(percent=100, **options)
+        bpy.ops.object.mode_set(mode="OBJECT")
+        assert not any(p.hide for p in obj.data.polygons if p.select)
+        return {p.index for p in obj.data.polygons if p.select}
+
+    band = selected_with(0)
+    other = min(set(range(24 * 12)) - band)
+    assert len(band) >= 12 and selected_with(other) == band and selected_with(other, extend=True) == band | {other}
+
+
+@check
 def noise_is_removed_and_the_rest_is_as_it_was():
     obj = scan()
     before = {tuple(v.co) for v in obj.data.vertices}
