@@ -6,7 +6,7 @@ import pytest
 import handle_tunnel_loops as htl
 
 
-@pytest.mark.parametrize("call", ["loops", "reeb", "remove_handles", "cut_to_disk", "dual_cuts"])
+@pytest.mark.parametrize("call", ["loops", "reeb", "remove_handles", "cut_to_disk", "cut_edges", "dual_cuts"])
 def test_threads(torus, call):
     function = getattr(htl, call)
     function(*torus, threads=None)
@@ -48,6 +48,8 @@ def test_threads(torus, call):
         ("remove_handles", dict(by=1), TypeError, "by has to be a string"),
         ("remove_handles", dict(box="all"), TypeError, "box has to be an array of real numbers"),
         ("remove_handles", dict(loops=[1]), TypeError, "loops has to be what loops.. returns"),
+        ("cut_edges", dict(avoid=[[0.5, 1.5]]), ValueError, "avoid has to be an array of integers"),
+        ("cut_edges", dict(avoid=[[0, -7]]), ValueError, "vertex -7 is not one of"),
         ("cut_to_disk", dict(cones="ab"), TypeError, "cones has to be a whole number"),
         ("cut_to_disk", dict(cones=[-3]), ValueError, "vertex -3 is not one of"),
         ("certify", dict(L=None), TypeError, "L has to be what loops.. returns"),

@@ -100,6 +100,7 @@ except KeyboardInterrupt:
         ("loops", lambda V, F, L: htl.loops(V, F)),
         ("reeb", lambda V, F, L: htl.reeb(V, F)),
         ("cut_to_disk", lambda V, F, L: htl.cut_to_disk(V, F)),
+        ("cut_edges", lambda V, F, L: htl.cut_edges(V, F)),
         ("dual_cuts", lambda V, F, L: htl.dual_cuts(V, F)),
         ("remove_handles", lambda V, F, L: htl.remove_handles(V, F, loops=L)),
         ("certify", lambda V, F, L: htl.certify(V, F, L)),

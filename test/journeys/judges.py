@@ -18,10 +18,14 @@ def _program(name):
     return path
 
 
-def _output(command, timeout=300, **options):
+def _done(command, code=0, timeout=300, **options):
     done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False, **options)
-    assert done.returncode == 0, f"{command}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
-    return done.stdout
+    assert done.returncode == code, f"{command}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
+    return done
+
+
+def _output(command, **options):
+    return _done(command, **options).stdout
 
 
 def _marked(text):
@@ -184,9 +188,7 @@ def blender(script, *arguments):
 
 def program_in_blender(program, *arguments, folder=None, code=0):
     """Runs a program in Blender beside the cube that it begins with: its output."""
-    done = subprocess.run(_blender("--python", program, "--", *arguments), cwd=folder, capture_output=True, text=True,
-                          timeout=300, check=False)
-    assert done.returncode == code, f"{program}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
+    done = _done(_blender("--python", program, "--", *arguments), code, cwd=folder)
     return done.stdout + done.stderr
 
 
@@ -195,7 +197,8 @@ def program_in_paraview(program, *arguments):
     # A display that begins anew when nobody uses it is not there for who comes meanwhile.
     display = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset"]
     has_display = os.environ.get("DISPLAY") or not shutil.which(display[0])
-    return _output([*([] if has_display else display), _program("pvpython"), *map(str, (program, *arguments))])
+    done = _done([*([] if has_display else display), _program("pvpython"), *map(str, (program, *arguments))])
+    return done.stdout + done.stderr
 
 
 def script_says(python, script, *arguments, folder=None):

@@ -80,3 +80,20 @@ def test_in_blender(in_blender, check):
 @pytest.mark.parametrize("check", checks_of("in_paraview.py"))
 def test_in_paraview(in_paraview, check):
     assert in_paraview[check] == ""
+
+
+def test_paraview_says_that_the_module_is_missing(installed, tmp_path):
+    shutil.copy(installed.plugins / "handle_tunnel_loops_paraview.py", tmp_path)
+    (tmp_path / "use.py").write_text("""
+import handle_tunnel_loops_paraview
+handle_tunnel_loops_paraview.load(globals())
+from paraview import simple
+loops = HandleTunnelLoops(Input=simple.Superquadric())
+loops.UpdatePipeline()
+print("cells:", loops.GetDataInformation().GetNumberOfCells())
+""")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PYTHONPATH", str(tmp_path))
+        said = judges.program_in_paraview(tmp_path / "use.py")
+    assert "the Python module handle_tunnel_loops is not there for Python 3" in said and "Traceback" not in said
+    assert "cells: 0" in said
