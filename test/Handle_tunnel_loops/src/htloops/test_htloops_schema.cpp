@@ -1,3 +1,4 @@
+#include "app/write/clean_report.h"
 #include "app/write/documents.h"
 #include "app/write/rows.h"
 
@@ -5,6 +6,7 @@
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
+#include "app/clean/cleaning.h"
 #include "app/solve/backends.h"
 #include "app/solve/cut_solver.h"
 #include "app/solve/details.h"
@@ -290,6 +292,36 @@ TEST(Removal_schema, fits_what_is_written) {
                                    [](json& d) { d["refused"][0]["reason"] = ""; },
                                    [](json& d) { d["necks"].erase("refused"); },
                                    [](json& d) { d["genus_after"] = 0.5; }});
+}
+
+TEST(Clean_schema, fits_what_is_written) {
+  const Temporary_folder folder;
+  const Schema schema("clean");
+  Progress told;
+  const Mesh mesh = mesh_with_holes();
+  json document;
+  for(const bool do_close : {false, true}) {
+    Clean_options options;
+    options.steps.set(static_cast<std::size_t>(Clean_step::HOLES), do_close);
+    write_clean_json(folder.path("a.json"), clean(mesh, options, told));
+    document = json::parse(folder.read("a.json"));
+    schema.expect_fits(document);
+    EXPECT_TRUE(document["before"]["volume"].is_null());
+    EXPECT_EQ(document["after"]["volume"].is_null(), !do_close);
+  }
+  EXPECT_EQ(document["before"]["boundaries"], 3);
+  EXPECT_EQ(document["steps"][0]["step"], "holes");
+  EXPECT_EQ(document["steps"][0]["count"], 3);
+  EXPECT_EQ(document["steps"].back()["step"], "handles");
+  EXPECT_EQ(document["steps"].back()["left"].size(), 1u);
+  schema.expect_refuses(document, {[](json& d) { d["format"] = "htloops-clean/2"; },
+                                   [](json& d) { d.erase("after"); },
+                                   [](json& d) { d["before"].erase("volume"); },
+                                   [](json& d) { d["after"]["crossings"] = -1; },
+                                   [](json& d) { d["after"]["volume"] = "large"; },
+                                   [](json& d) { d["steps"][0]["step"] = "polish"; },
+                                   [](json& d) { d["steps"][0].erase("left"); },
+                                   [](json& d) { d["steps"][0]["done"][0] = ""; }});
 }
 
 TEST(Map_schema, fits_what_is_written) {
