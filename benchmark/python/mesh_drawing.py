@@ -66,7 +66,7 @@ def spans(corners, size):
         a, b = corners[owner, i], corners[owner, (i + 1) % 3]
         with np.errstate(divide="ignore", invalid="ignore"):
             part = (row + 0.5 - a[:, 1]) / (b[:, 1] - a[:, 1])
-        x = a[:, 0] + part * (b[:, 0] - a[:, 0])
+            x = a[:, 0] + part * (b[:, 0] - a[:, 0])
         crossed = (part >= 0) & (part <= 1)
         left = np.where(crossed, np.minimum(left, x), left)
         right = np.where(crossed, np.maximum(right, x), right)
@@ -122,11 +122,20 @@ def creases(seen, near, normals, degrees=35, step=0.03):
     return dark
 
 
-def drawing(points, faces, view, colours):
-    """The picture, of twice the width and height of the one that is made of it: (size, size, 3)."""
+def drawing(points, faces, view, colours, material=None):
+    """The picture, of twice the width and height of the one that is made of it: (size, size, 3).
+
+    With a colour of the material, the mesh is what is behind a plane that faces who looks: where a face is
+    seen from inside there is material in the plane.
+    """
     seen, near = what_is_seen(points, faces, view)
     normals = unit_normals(points, faces)
     light = LIGHT / np.linalg.norm(LIGHT)
+    if material is not None:
+        inside = normals @ view.axes[2] < 0
+        normals[inside] = view.axes[2]
+        colours = np.where(inside[:, None], material, colours)
+        near[inside[seen] & (seen >= 0)] = view.seen(points)[:, 2].max()
     bright = 0.35 + 0.65 * np.abs(normals @ view.axes.T @ light)
     image = np.where((seen < 0)[:, :, None], 1.0, (colours * bright[:, None])[seen])
     image[creases(seen, near, normals)] *= 0.35
