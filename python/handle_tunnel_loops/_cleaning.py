@@ -24,7 +24,7 @@ def clean(
     skip: Union[CleanStep, Iterable[CleanStep]] = (),
     weld: Optional[Length] = None,
     channels: Length = "3%",
-    floaters: Union[float, str] = "0.1%",
+    floaters: Union[float, str] = "0.01%",
     genus: Optional[int] = None,
     noise_below: Optional[Length] = None,
     threads: Optional[int] = 0,
@@ -47,7 +47,7 @@ def clean(
         nearly at the same place. Lengths are in the unit of the coordinates, or a share of the diagonal of
         the box of the mesh: "3%"
     channels : how long around channels are, at most
-    floaters : the share of the volume below which a part is small: 0.001 or "0.1%"
+    floaters : the share of the volume below which a part is small: 0.0001 or "0.01%"
     genus : the smallest handles go until so many are left
     noise_below : handles of which the thickness or the clear width is less go
     threads, progress : as for `loops`
@@ -94,5 +94,5 @@ def _share(value: Any) -> float:
     except ValueError:
         share = None
     if share is None or not 0 <= share <= 1:
-        raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.001 or "0.1%"')
+        raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.0001 or "0.01%"')
     return share

@@ -12,7 +12,9 @@
 #include "clean/crossings.h"
 #include "clean/holes.h"
 #include "clean/parts.h"
+#include "interrupt.h"
 #include "solve/backends.h"
+#include "solve/certification.h"
 #include "solve/details.h"
 #include "words.h"
 
@@ -141,6 +143,7 @@ public:
 
 private:
   void go_on_with(const Changed_mesh& changed) {
+    loops_.reset();
     static_cast<Changed_mesh&>(result_) = composed(result_, changed);
   }
 
@@ -168,7 +171,7 @@ private:
       Closed_holes closed = close_holes(copy.mesh);
       describe(closed, holes);
       crossings_ = std::move(closed.crossings);
-    } else
+    } else if(touches_itself(result_.mesh, throw_if_interrupted)) // found sooner
       crossings_ = crossings_of(copy.mesh);
     if(options_.has(Clean_step::HOLES))
       result_.records.push_back(holes);
@@ -201,7 +204,7 @@ private:
     const double most = absolute(options_.channel_length, mesh_);
     if(!(most > 0.))
       return; // all points are one
-    const Pairs pairs = find_loops();
+    const Pairs& pairs = loops();
     const Removal_answer answer = remove_channels(pairs, most);
     record.count = number_of_channels(answer.report);
     if(record.count > 0) {
@@ -252,10 +255,13 @@ private:
                : formatted("with --channels %.3g%%: ", percent) + words_of_channels(report);
   }
 
-  Pairs find_loops() {
+  // Of the mesh as it is.
+  const Pairs& loops() {
     Solve_options options;
     options.number_of_threads = options_.number_of_threads;
-    return host_backend.solve(result_.mesh, options, progress_).pairs;
+    if(!loops_)
+      loops_ = host_backend.solve(result_.mesh, options, progress_).pairs;
+    return *loops_;
   }
 
   // As a person would look for them.
@@ -283,10 +289,10 @@ private:
       describe_floaters(parts, floaters, fates);
     if(options_.has(Clean_step::SHELLS))
       describe_shells(parts, fates);
-    if(options_.has(Clean_step::ORIENT))
-      turn_over(copy.mesh, parts); // the walls of channels
-    take_out(copy.mesh, parts, fates);
-    go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
+    const bool is_turned = options_.has(Clean_step::ORIENT) &&
+                           turn_over(copy.mesh, parts) > 0; // the walls of channels
+    if(take_out(copy.mesh, parts, fates) || is_turned)
+      go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
     result_.after = state_of(copy.mesh, crossings_);
     note_open_holes();
   }
@@ -339,7 +345,8 @@ private:
     result_.records.push_back(record);
   }
 
-  void take_out(Changeable_mesh& mesh, const Parts& parts, const std::vector<Face_fate>& fates) {
+  // Whether anything was there that goes.
+  bool take_out(Changeable_mesh& mesh, const Parts& parts, const std::vector<Face_fate>& fates) {
     for(std::size_t f = 0; f < result_.face_origins.size(); ++f)
       if(const std::int64_t origin = result_.face_parents[f]; origin != nothing_before)
         result_.fates[std::size_t(origin)] = fates[parts.of_face[f]];
@@ -349,7 +356,7 @@ private:
         out.push_back(f);
     for(const Face f : out)
       CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
-    PMP::remove_isolated_vertices(mesh);
+    return PMP::remove_isolated_vertices(mesh) + out.size() > 0;
   }
 
   // ---- handles
@@ -357,18 +364,15 @@ private:
   void remove_small_handles() {
     Clean_record record{Clean_step::HANDLES};
     const std::size_t genus = result_.after.genus;
-    if(genus > 0) {
-      const Pairs pairs = find_loops();
-      std::size_t left = genus;
-      if(options_.noise_below || (options_.genus && *options_.genus < genus))
-        left = remove(pairs, record);
-      if(left > 0 && !options_.genus && !options_.noise_below)
-        record.left = {words_of_left(pairs)};
-    }
+    if(options_.noise_below || options_.genus) {
+      if(genus > options_.genus.value_or(0))
+        remove(loops(), record);
+    } else if(genus > 0)
+      record.left = {words_of_left(loops())};
     result_.records.push_back(record);
   }
 
-  std::size_t remove(const Pairs& pairs, Clean_record& record) {
+  void remove(const Pairs& pairs, Clean_record& record) {
     Removal_options wanted;
     wanted.number_of_threads = options_.number_of_threads;
     if(options_.genus)
@@ -385,7 +389,6 @@ private:
     keep_loops(pairs, answer.report);
     go_on_without_handles(answer);
     result_.after = state_of(Changeable_copy(result_.mesh).mesh, crossings_);
-    return answer.report.genus_after;
   }
 
   std::vector<std::size_t> pairs_of_noise(const Pairs& pairs, double below, Clean_record& record) {
@@ -431,6 +434,7 @@ private:
   Cleaned_mesh result_;
   Crossings crossings_; // of the mesh as it is
   std::vector<Open_hole> open_holes_;
+  std::optional<Pairs> loops_;
 };
 
 } // namespace

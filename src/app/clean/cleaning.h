@@ -45,7 +45,7 @@ struct Clean_options
 {
   Clean_steps steps = Clean_steps(~0ull);
   Relative_length channel_length = {0.03, true};             ///< around them, at most
-  double floater_share = 1e-3;                               ///< of the volume; see `is_floater()`
+  double floater_share = 1e-4;                               ///< of the volume; see `is_floater()`
   std::optional<std::size_t> genus = std::nullopt;           ///< that handles are removed down to
   std::optional<Relative_length> noise_below = std::nullopt; ///< handles this thin or narrow go
   int number_of_threads = 0;                                 ///< 0: as many as the machine has

@@ -21,6 +21,9 @@
 #include "commands/vertex_values.h"
 #include "terminal/terminal.h"
 
+#include <array>
+#include <charconv>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,7 +41,7 @@ struct Clean_command_options : Common_options
   std::string map_file;
   std::vector<std::string> skipped;
   std::string channels = "3%";
-  std::string floaters = "0.1%";
+  std::string floaters = "0.01%";
   std::optional<std::size_t> genus;
   std::string noise_below;
   bool is_dry_run = false;
@@ -56,12 +59,14 @@ std::optional<Relative_length> relative_length(const char* option, const std::st
   return length ? std::optional(Relative_length{*length, text.back() == '%'}) : std::nullopt;
 }
 
-// "0.1%"
+// "0.01%"; none is small if it is 0%.
 double share_of(const std::string& text) {
-  const std::optional<Relative_length> share = relative_length("--floaters", text);
-  if(!share || !share->is_share || share->value > 1.)
-    throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.1%");
-  return share->value;
+  double percent = -1.;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), percent);
+  if(error != std::errc() || end + 1 != text.data() + text.size() || *end != '%' ||
+     !(percent >= 0. && percent <= 100.))
+    throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.01%");
+  return percent / 100.;
 }
 
 Clean_options clean_options(const Clean_command_options& options) {
@@ -190,7 +195,7 @@ void add_options(CLI::App& clean, Clean_command_options& options) {
   clean
       .add_option("--floaters", options.floaters,
                   "how much of the volume a part has that is dropped, at most,\n"
-                  "in percent; default: 0.1%")
+                  "in percent; default: 0.01%")
       ->option_text("P%");
   CLI::Option* genus = clean
                            .add_option("--genus", options.genus,

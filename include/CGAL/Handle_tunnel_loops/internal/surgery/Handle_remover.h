@@ -218,7 +218,10 @@ private:
   Attempt attempt_at_all(const std::vector<Removal_task>& tasks,
                          VertexIndexMap vertex_index,
                          FaceIndexMap face_index) {
-    Attempt attempt = attempt_at(tasks, Removal_effort::ALL_LOOPS, vertex_index, face_index);
+    // Most of what is tried are no channels: their own loops have to do.
+    Attempt attempt = attempt_at(
+        tasks, options_.only_channels ? Removal_effort::GIVEN_LOOPS : Removal_effort::ALL_LOOPS,
+        vertex_index, face_index);
     if(!options_.only_channels && may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
       Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::ALL_LOOPS,
                                  vertex_index, face_index);

@@ -25,9 +25,10 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /// How far it is tried to remove handles.
 enum class Removal_effort {
-  ANY,      ///< until some are, along the loops that they have
-  ALL_LOOPS ///< as far as can be, at last along loops that are found on the surface as it is by
-            ///< then
+  ANY,         ///< until some are, along the loops that they have
+  GIVEN_LOOPS, ///< along the loops that they have
+  ALL_LOOPS    ///< as far as can be, at last along loops that are found on the surface as it is by
+               ///< then
 };
 
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;

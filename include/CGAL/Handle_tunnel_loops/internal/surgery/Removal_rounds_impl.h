@@ -429,6 +429,8 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
     remove(tasks, ask_now, effort == Removal_effort::ANY);
     if(effort == Removal_effort::ANY)
       return;
+    if(effort == Removal_effort::GIVEN_LOOPS)
+      break;
     remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
     if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;
