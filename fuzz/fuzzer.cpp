@@ -13,6 +13,11 @@
 #include <cstdint>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz(HTL_FUZZ_TARGET, std::string(reinterpret_cast<const char*>(data), size));
+  const std::string input(reinterpret_cast<const char*>(data), size);
+#ifdef HTL_FUZZED_FORMAT
+  fuzz_mesh_file(HTL_FUZZED_FORMAT, input);
+#else
+  HTL_FUZZED_FUNCTION(input);
+#endif
   return 0;
 }
