@@ -58,6 +58,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/soup.cpp
   read/soup_diagnosis.cpp
   read/sources.cpp
+  read/unpacking.cpp
   read/vertex_data.cpp
   read/xml.cpp
   read/meshes/freesurfer_reader.cpp

@@ -66,7 +66,8 @@ std::string deflated(std::string_view bytes, Frame frame) {
   return result;
 }
 
-std::optional<std::string> inflated(std::string_view bytes, Frame frame) {
+std::optional<std::string>
+inflated(std::string_view bytes, Frame frame, const std::function<void(std::size_t)>& watch) {
   constexpr int either_frame = MAX_WBITS + 32;
   z_stream stream{};
   if(inflateInit2(&stream, frame == Frame::NONE ? -MAX_WBITS : either_frame) != Z_OK)
@@ -74,6 +75,11 @@ std::optional<std::string> inflated(std::string_view bytes, Frame frame) {
   const Stream_end end(&stream, inflateEnd);
   std::string result;
   int state = Z_OK;
+  const auto add = [&] {
+    state = add_step(stream, result, [&] { return inflate(&stream, Z_NO_FLUSH); });
+    if(watch)
+      watch(result.size());
+  };
   while(stream.avail_in > 0 || !bytes.empty()) {
     if(stream.avail_in == 0)
       hand_over(stream, bytes);
@@ -83,12 +89,12 @@ std::optional<std::string> inflated(std::string_view bytes, Frame frame) {
         break;
       inflateReset(&stream);
     }
-    state = add_step(stream, result, [&] { return inflate(&stream, Z_NO_FLUSH); });
+    add();
     if(state != Z_OK && state != Z_STREAM_END)
       return std::nullopt;
   }
   while(state == Z_OK && stream.avail_out == 0) // what was handed over is not all out
-    state = add_step(stream, result, [&] { return inflate(&stream, Z_NO_FLUSH); });
+    add();
   return state == Z_STREAM_END ? std::optional(std::move(result)) : std::nullopt;
 }
 

@@ -10,6 +10,8 @@
 #ifndef HTL_WINDOW_PACKING_H
 #define HTL_WINDOW_PACKING_H
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,8 +28,10 @@ std::string deflated(std::string_view bytes, Frame frame = Frame::NONE);
 
 /// the bytes of streams in a frame, one after the other; none if they are broken or cut off. Of
 /// zlib and gzip it is the one that they have. Takes memory as there are bytes, whatever the
-/// streams announce.
-std::optional<std::string> inflated(std::string_view bytes, Frame frame = Frame::ZLIB);
+/// streams announce; `watch(size)` is told again and again how many there are, and may throw.
+std::optional<std::string> inflated(std::string_view bytes,
+                                    Frame frame = Frame::ZLIB,
+                                    const std::function<void(std::size_t)>& watch = {});
 
 } // namespace htl_window
 

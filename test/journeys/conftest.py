@@ -15,9 +15,9 @@ class Tool:
     def __init__(self, folder):
         self.folder = folder
 
-    def run(self, *words, code=0):
+    def run(self, *words, code=0, **options):
         done = subprocess.run([os.environ["HTLOOPS"], *map(str, words)], cwd=self.folder, capture_output=True,
-                              text=True, timeout=300, check=False)
+                              text=True, timeout=300, check=False, **options)
         assert done.returncode == code, f"{words}: {done.returncode}\n{done.stdout}\n{done.stderr}"
         return done
 

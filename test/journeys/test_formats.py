@@ -1,8 +1,16 @@
 """Each format of meshes: read as other programs write it, and written as other programs read it."""
 
+import base64
 import gzip
 import json
+import os
+import resource
+import signal
 import struct
+import subprocess
+import time
+import zipfile
+import zlib
 
 import pytest
 
@@ -217,6 +225,75 @@ def test_gltf_with_a_buffer_beside_it(tool):
     assert tool.facts("scene.gltf")["genus"] == 2
 
 
+def without_positions(document, buffer, points, moved):
+    """The same, where positions are zeros but for the rows `moved`, which a sparse accessor has."""
+    rows = struct.pack(f"<{len(moved)}H", *moved)
+    rows += b"\0" * (-len(rows) % 4)
+    places = b"".join(struct.pack("<3f", *points[v]) for v in moved)
+    first = len(document["bufferViews"])
+    document["bufferViews"] += [{"buffer": 0, "byteOffset": len(buffer), "byteLength": 2 * len(moved)},
+                                {"buffer": 0, "byteOffset": len(buffer) + len(rows), "byteLength": len(places)}]
+    accessor = document["accessors"][0]
+    if len(moved) == len(points):
+        del accessor["bufferView"]
+        document["bufferViews"][0] = document["bufferViews"][1]  # which nobody needs
+    accessor["sparse"] = {"count": len(moved), "indices": {"bufferView": first, "componentType": 5123},
+                          "values": {"bufferView": first + 1}}
+    return document, buffer + rows + places
+
+
+def moved_by_one(points, moved):
+    return [tuple(x + (v in moved) for x in p) for v, p in enumerate(points)]
+
+
+@pytest.mark.parametrize("moved", [range(1), range(3, 200, 7), range(288)], ids=["one", "some", "all"])
+def test_gltf_with_a_sparse_accessor(tool, moved):
+    points, quads = torus()
+    changed = moved_by_one(points, moved)
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    document, buffer = without_positions(document, buffer, changed, moved)
+    rounded = [struct.unpack("<3f", struct.pack("<3f", *p)) for p in changed]
+    document["accessors"][0] |= {"min": box_of(rounded)[:3], "max": box_of(rounded)[3:]}
+    document["nodes"] = [{"mesh": 0}]
+    document["scenes"] = [{"nodes": [0]}]
+    file = tool.folder / "sparse.glb"
+    file.write_bytes(glb(document, buffer))
+    assert judges.gltf_validator(file)["errors"] == 0
+    found, triangles = tool.as_off(file)
+    assert is_near(found, changed) and same_triangles(triangles, triangles_of(quads))
+
+
+def test_gltf_without_positions_has_all_points_at_the_origin(tool):
+    points, quads = torus()
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    accessor = document["accessors"][0]
+    del accessor["bufferView"]
+    accessor |= {"min": [0, 0, 0], "max": [0, 0, 0]}
+    document["bufferViews"][0] = document["bufferViews"][1]
+    document["scenes"] = [{"nodes": [0]}]
+    file = tool.folder / "zeros.glb"
+    file.write_bytes(glb(document, buffer))
+    assert judges.gltf_validator(file)["errors"] == 0
+    found, triangles = tool.as_off(file, "--steps", "degenerate")
+    assert found == [(100, 0, 0)] * len(points) and same_triangles(triangles, triangles_of(quads))
+
+
+@pytest.mark.parametrize("change, words", [
+    (lambda sparse: sparse["indices"].update(byteOffset=2), "beyond its buffer"),
+    (lambda sparse: sparse["values"].update(bufferView=99), "a view that is not there"),
+    (lambda sparse: sparse.update(count=-1), "more rows than there are"),
+    (lambda sparse: sparse.update(count=300), "more rows than there are"),
+    (lambda sparse: sparse["values"].update(byteOffset=-12), "more rows than there are"),
+], ids=["beyond", "view", "negative", "many", "before"])
+def test_a_sparse_accessor_that_contradicts_itself_is_refused(tool, change, words):
+    points, quads = torus()
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads))
+    document, buffer = without_positions(document, buffer, points, range(10))
+    change(document["accessors"][0]["sparse"])
+    (tool.folder / "sparse.glb").write_bytes(glb(document, buffer))
+    assert words in tool.run("loops", "sparse.glb", code=3).stderr
+
+
 @pytest.mark.parametrize("uri", ["../beside.bin", "/etc/passwd", "$(touch made).bin", "`touch made`"])
 def test_gltf_reads_no_file_elsewhere_and_runs_nothing(tool, uri):
     points, quads = torus()
@@ -243,6 +320,82 @@ def test_3mf_of_a_slicer_is_read(tool, two_tori):
     judges.made_3mf_by_slicer(tool.folder / "mesh.stl", tool.folder / "mesh.3mf")
     facts = tool.facts("mesh.3mf")
     assert (facts["faces"], facts["genus"]) == (len(two_tori[1]), 2)
+
+
+SPACES = "http://schemas.microsoft.com/3dmanufacturing/"
+
+
+def write_3mf(file, points, triangles, of_model="", of_object="", parts=None):
+    """A package of one object; `parts` are models besides."""
+    def model(attributes, resources, build=""):
+        return (f'<?xml version="1.0"?><model unit="inch" xmlns="{SPACES}core/2015/02" {attributes}><resources>'
+                f"{resources}</resources><build>{build}</build></model>")
+
+    mesh = "".join(['<vertices>', *(f'<vertex x="{x!r}" y="{y!r}" z="{z!r}"/>' for x, y, z in points), '</vertices>',
+                    '<triangles>', *(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in triangles),
+                    '</triangles>'])
+    resources = f'<object id="1" type="model" {of_object}><mesh>{mesh}</mesh></object>'
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as package:
+        if parts:
+            package.writestr("3D/3dmodel.model", model(of_model, "", parts))
+            package.writestr("3D/other.model", model("", resources))
+        else:
+            package.writestr("3D/3dmodel.model", model(of_model, resources, '<item objectid="1"/>'))
+    return file
+
+
+@pytest.mark.parametrize("extension", ["material/2015/02", "slice/2015/07", "trianglesets/2021/07"])
+def test_3mf_is_read_where_an_extension_that_it_needs_changes_no_triangle(tool, extension):
+    points, quads = torus()
+    write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
+              f'xmlns:x="{SPACES}{extension}" requiredextensions="x"')
+    assert tool.as_off("mesh.3mf") == (points, triangles_of(quads))
+
+
+def test_3mf_is_read_where_objects_are_in_parts_of_their_own(tool):
+    points, quads = torus()
+    write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
+              f'xmlns:p="{SPACES}production/2015/06" requiredextensions="p"',
+              parts='<item objectid="1" p:path="/3D/other.model"/>')
+    assert tool.as_off("mesh.3mf") == (points, triangles_of(quads))
+
+
+@pytest.mark.parametrize("name, space", [
+    ("beamlattice/2017/02", SPACES + "beamlattice/2017/02"),
+    ("booleanoperations/2023/07", "http://schemas.3mf.io/3dmanufacturing/booleanoperations/2023/07"),
+    ("securecontent/2019/04", SPACES + "securecontent/2019/04"),
+    ("production/alternatives/2021/04", SPACES + "production/alternatives/2021/04"),
+    ("urn:mine", "urn:mine"),
+])
+def test_3mf_that_needs_another_extension_is_refused_by_name(tool, name, space):
+    points, quads = torus()
+    write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
+              f'xmlns:m="{SPACES}material/2015/02" xmlns:x="{space}" requiredextensions="m x"')
+    said = tool.run("loops", "mesh.3mf", "-o", "x.json", code=3).stderr
+    assert f"needs the extension '{name}'" in said
+    assert not (tool.folder / "x.json").exists()
+
+
+def test_3mf_that_needs_a_prefix_that_is_not_declared_is_refused(tool):
+    points, quads = torus()
+    write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads), 'requiredextensions="q"')
+    assert "needs the extension 'q'" in tool.run("loops", "mesh.3mf", code=3).stderr
+
+
+def test_3mf_whose_triangles_stand_for_slices_is_refused(tool):
+    points, quads = torus()
+    for resolution, code in (("fullres", 0), ("lowres", 3)):
+        write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
+                  f'xmlns:s="{SPACES}slice/2015/07" requiredextensions="s"', f's:meshresolution="{resolution}"')
+        said = tool.run("loops", "mesh.3mf", code=code).stderr
+        assert ("in slices" in said) == (code == 3)
+
+
+def test_3mf_names_what_a_recommended_extension_would_add(tool):
+    points, quads = torus()
+    write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
+              f'xmlns:x="{SPACES}displacement/2022/07" recommendedextensions="x"')
+    assert "displacement/2022/07" in tool.run("remove", "mesh.3mf", "--all", "-o", "x.off").stderr
 
 
 # ---- surfaces of brains
@@ -384,6 +537,81 @@ def test_a_gigabyte_announced_is_no_gigabyte_taken(tool, mesh, ending):
     (tool.folder / f"part.{ending}").write_bytes(content)
     tool.run("loops", f"part.{ending}", "-o", "answer.json", code=3)
     assert not (tool.folder / "answer.json").exists()
+
+
+MEMBER = gzip.compress(b"\0" * (1 << 26))  # 64 kB for 64 MB
+
+
+def zeros_of_zlib(megabytes):
+    packer = zlib.compressobj(9)
+    return b"".join([*(packer.compress(b"\0" * (1 << 20)) for _ in range(megabytes)), packer.flush()])
+
+
+def bomb(file, megabytes):
+    """A small file that unpacks to so much."""
+    if file.suffix == ".gz":
+        file.write_bytes(MEMBER * (megabytes // 64))
+    elif file.suffix == ".3mf":
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as package, package.open("3D/3dmodel.model", "w") as part:
+            for _ in range(megabytes):
+                part.write(b" " * (1 << 20))
+    elif file.suffix == ".gii":
+        text = base64.b64encode(zeros_of_zlib(megabytes)).decode()
+        file.write_text(f"""<GIFTI><DataArray Intent="NIFTI_INTENT_POINTSET" DataType="NIFTI_TYPE_FLOAT32" Dim0="1"
+Dim1="3" Encoding="GZipBase64Binary"><Data>{text}</Data></DataArray></GIFTI>""")
+    else:  # blocks of which each is small
+        block = zlib.compress(b"\0" * (1 << 20), 9)
+        header = struct.pack(f"<{megabytes + 3}I", megabytes, 1 << 20, 0, *[len(block)] * megabytes)
+        text = base64.b64encode(header).decode() + base64.b64encode(block * megabytes).decode()
+        file.write_text(f"""<VTKFile type="PolyData" compressor="vtkZLibDataCompressor"><PolyData><Piece><Points>
+<DataArray type="Float32" format="appended" offset="0"/></Points></Piece></PolyData>
+<AppendedData encoding="base64">_{text}</AppendedData></VTKFile>""")
+    return file
+
+
+@pytest.mark.parametrize("ending", ["off.gz", "3mf", "gii", "vtp"])
+def test_what_unpacks_to_more_than_there_is_room_for_is_refused(tool, ending):
+    file = bomb(tool.folder / f"bomb.{ending}", 512)
+    assert file.stat().st_size < 2e6
+    limit = 3 << 29  # of which a quarter may be unpacked
+    said = tool.run("loops", file, "-o", "x.json", code=3,
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))).stderr
+    assert f"more than {limit >> 22} MB" in said, said
+    assert not (tool.folder / "x.json").exists()
+
+
+def test_what_few_bytes_say_again_and_again_is_refused(tool):
+    points, quads = torus(400, 200)
+    document, buffer = scene_of_two_nodes(points, triangles_of(quads)[:30000])
+    document["nodes"] = [{"mesh": 0}] * 2000
+    document["scenes"] = [{"nodes": list(range(2000))}]
+    (tool.folder / "nodes.glb").write_bytes(glb(document, buffer))
+    zeros = json.loads(json.dumps(document))
+    del zeros["accessors"][0]["bufferView"]
+    zeros["accessors"][0]["count"] = 10**15
+    (tool.folder / "zeros.glb").write_bytes(glb(zeros, buffer))
+    limit = 3 << 29
+    for name in ("nodes.glb", "zeros.glb"):
+        said = tool.run("loops", name, code=3,
+                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))).stderr
+        assert f"more than {limit >> 22} MB" in said, said
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="how much memory is in use is told by Linux")
+def test_unpacking_can_be_interrupted(tool):
+    file = bomb(tool.folder / "bomb.off.gz", 1 << 20)
+    with subprocess.Popen([os.environ["HTLOOPS"], "loops", file, "-o", tool.folder / "x.json"],
+                          stderr=subprocess.PIPE, text=True) as process:
+        pages = 0
+        while pages < 25000 and process.poll() is None:  # of four kilobytes
+            with open(f"/proc/{process.pid}/statm") as statm:
+                pages = int(statm.read().split()[1])
+            time.sleep(0.002)
+        process.send_signal(signal.SIGINT)
+        begin = time.monotonic()
+        assert process.wait(60) == 130, process.stderr.read()
+        assert time.monotonic() - begin < 10
+    assert os.listdir(tool.folder) == ["bomb.off.gz"]
 
 
 def test_unknown_endings_are_refused_and_the_known_ones_named(tool, mesh):

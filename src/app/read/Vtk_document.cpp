@@ -9,8 +9,8 @@
 
 #include "read/Vtk_document.h"
 
+#include "read/unpacking.h"
 #include "window/base64.h"
-#include "window/packing.h"
 
 #include <cstdint>
 #include <numeric>
@@ -85,17 +85,13 @@ Vtk_document::Numbers Vtk_document::array(const Xml_tree& piece,
     if(xml_attribute(array, "format") == "ascii")
       return numbers_of_text(file_, array.data());
     const std::string bytes = bytes_of(array);
-    Binary_source source(file_.name(), bytes, 0, is_little_endian_);
-    const Read_number read_next = reader_of(xml_attribute(array, "type"));
-    Numbers numbers;
-    for(double x; read_next(source, x);)
-      numbers.push_back(x);
-    return numbers;
+    return numbers_of_bytes(file_.name(), bytes, is_little_endian_,
+                            reader_of(xml_attribute(array, "type")));
   }
   return {};
 }
 
-Vtk_document::Read_number Vtk_document::reader_of(const std::string& type) const {
+Read_number Vtk_document::reader_of(const std::string& type) const {
   for(const Vtk_type& known : vtk_types)
     if(type == known.name)
       return known.read;
@@ -172,7 +168,8 @@ std::string Vtk_document::unpacked(std::string_view bytes) const {
     fail("an array has fewer blocks than it says");
   std::string all;
   for(std::size_t block = 3; block < header.size(); ++block) {
-    const std::optional<std::string> part = htl_window::inflated(take(header[block]));
+    const std::optional<std::string> part =
+        htloops::unpacked(file_.name(), take(header[block]), htl_window::Frame::ZLIB, all.size());
     if(!part)
       fail("an array has a block that is no stream of zlib");
     all += *part;

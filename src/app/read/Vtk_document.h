@@ -58,8 +58,6 @@ public:
               std::size_t number_of_points) const;
 
 private:
-  using Read_number = bool (*)(Binary_source&, double&);
-
   bool is_packed() const { return !compressor_.empty(); }
   std::string_view without_appended();
   [[noreturn]] void fail(const std::string& problem) const;

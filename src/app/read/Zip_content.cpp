@@ -10,7 +10,7 @@
 #include "read/Zip_content.h"
 
 #include "read/sources.h"
-#include "window/packing.h"
+#include "read/unpacking.h"
 
 #include <boost/crc.hpp>
 
@@ -88,7 +88,7 @@ std::string Zip_content::read(const std::string& name) const {
   if(member.method == stored)
     bytes = std::string(packed);
   else if(member.method == deflated)
-    bytes = htl_window::inflated(packed, htl_window::Frame::NONE);
+    bytes = unpacked(archive_.name(), packed, htl_window::Frame::NONE);
   if(!bytes || !has_checksum(*bytes, member.checksum))
     fail("its " + in_quotes(name) + " is broken");
   return std::move(*bytes);

@@ -12,7 +12,7 @@
 #include "failure.h"
 #include "file_names.h"
 #include "interrupt.h"
-#include "window/packing.h"
+#include "read/unpacking.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -75,10 +75,10 @@ Input_file::Input_file(std::string name, const std::string& format)
 
 void Input_file::set_content(std::string content) {
   if(content.compare(0, 2, "\x1F\x8B") == 0) {
-    std::optional<std::string> unpacked = htl_window::inflated(content);
-    if(!unpacked)
+    std::optional<std::string> bytes = unpacked(name_, content);
+    if(!bytes)
       fail_to_read(name_, "it was packed by gzip, and is broken or cut off");
-    content = std::move(*unpacked);
+    content = std::move(*bytes);
   }
   content_ = std::make_shared<const std::string>(std::move(content));
 }

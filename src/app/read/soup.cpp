@@ -9,7 +9,9 @@
 
 #include "read/soup.h"
 
+#include "interrupt.h"
 #include "read/input_file.h"
+#include "read/unpacking.h"
 
 #include <cstring>
 
@@ -49,6 +51,11 @@ void check_corners(const std::string& file, const Soup& soup) {
     for(std::size_t i = 3; i < face.size(); ++i)
       check(*further++);
   }
+}
+
+void check_size(const std::string& file, const Soup& soup) {
+  throw_if_interrupted();
+  check_room(file, soup.points.size() * sizeof(Point) + soup.faces.size() * sizeof(Soup_face));
 }
 
 std::uint32_t Point_merger::number(const Point& point) {

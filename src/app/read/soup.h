@@ -119,6 +119,10 @@ no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertice
 /// throws `Failure` if a face names a vertex that is not there.
 void check_corners(const std::string& file, const Soup& soup);
 
+/// throws `Failure` if the soup has become larger than there is room for, as few bytes of a file
+/// may name a part of it again and again; and `Interrupted` on Ctrl-C.
+void check_size(const std::string& file, const Soup& soup);
+
 /// How often something was found, and where first.
 class Finding
 {

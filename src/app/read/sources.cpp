@@ -11,6 +11,7 @@
 
 #include "interrupt.h"
 #include "read/input_file.h"
+#include "read/unpacking.h"
 
 #include <boost/endian/conversion.hpp>
 
@@ -172,6 +173,25 @@ Binary_source::Binary_source(const std::string& file,
 
 void Binary_source::fail(const std::string& problem) const {
   fail_to_read(*file_, "byte " + std::to_string(position_) + ": " + problem);
+}
+
+std::vector<double> numbers_of_bytes(const std::string& file,
+                                     const std::string& content,
+                                     bool is_little_endian,
+                                     Read_number read) {
+  Binary_source source(file, content, 0, is_little_endian);
+  std::vector<double> numbers;
+  double x;
+  if(!read(source, x))
+    return numbers;
+  const std::size_t count = content.size() / (content.size() - source.bytes_left());
+  check_room(file, count * sizeof(double));
+  throw_if_interrupted();
+  numbers.reserve(count);
+  do
+    numbers.push_back(x);
+  while(read(source, x));
+  return numbers;
 }
 
 } // namespace htloops

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace htloops {
 
@@ -125,6 +126,14 @@ template <typename T> bool read_as(Binary_source& data, double& value) {
   value = static_cast<double>(number);
   return true;
 }
+
+using Read_number = bool (*)(Binary_source&, double&);
+
+/// the numbers of a content that are of one type; throws `Failure` if there is no room for them.
+std::vector<double> numbers_of_bytes(const std::string& file,
+                                     const std::string& content,
+                                     bool is_little_endian,
+                                     Read_number read);
 
 } // namespace htloops
 

@@ -9,9 +9,9 @@
 
 #include "read/meshes/readers.h"
 #include "read/sources.h"
+#include "read/unpacking.h"
 #include "read/xml.h"
 #include "window/base64.h"
-#include "window/packing.h"
 
 #include <array>
 #include <optional>
@@ -90,33 +90,26 @@ private:
                                      "; save it as one file");
     std::string bytes = htl_window::bytes_of_base64(text);
     if(encoding == "GZipBase64Binary") {
-      std::optional<std::string> unpacked = htl_window::inflated(bytes);
-      if(!unpacked)
+      std::optional<std::string> all = unpacked(file_.name(), bytes);
+      if(!all)
         fail_to_read(file_.name(), "an array is no stream of zlib");
-      bytes = std::move(*unpacked);
+      bytes = std::move(*all);
     } else if(encoding != "Base64Binary")
       fail_to_read(file_.name(), "an array has the unknown encoding " + in_quotes(encoding));
-    return numbers_of_bytes(array, bytes);
+    return numbers_of_bytes(file_.name(), bytes, xml_attribute(array, "Endian") != "BigEndian",
+                            reader_of(xml_attribute(array, "DataType")));
   }
 
-  std::vector<double> numbers_of_bytes(const Xml_tree& array, const std::string& bytes) const {
-    Binary_source source(file_.name(), bytes, 0, xml_attribute(array, "Endian") != "BigEndian");
-    const std::string type = xml_attribute(array, "DataType");
-    bool (*read_next)(Binary_source&, double&) = nullptr;
+  Read_number reader_of(const std::string& type) const {
     if(type == "NIFTI_TYPE_FLOAT32")
-      read_next = read_as<float>;
-    else if(type == "NIFTI_TYPE_FLOAT64")
-      read_next = read_as<double>;
-    else if(type == "NIFTI_TYPE_INT32")
-      read_next = read_as<std::int32_t>;
-    else if(type == "NIFTI_TYPE_UINT8")
-      read_next = read_as<std::uint8_t>;
-    else
-      fail_to_read(file_.name(), "an array has numbers of the unknown type " + in_quotes(type));
-    std::vector<double> numbers;
-    for(double x; read_next(source, x);)
-      numbers.push_back(x);
-    return numbers;
+      return read_as<float>;
+    if(type == "NIFTI_TYPE_FLOAT64")
+      return read_as<double>;
+    if(type == "NIFTI_TYPE_INT32")
+      return read_as<std::int32_t>;
+    if(type == "NIFTI_TYPE_UINT8")
+      return read_as<std::uint8_t>;
+    fail_to_read(file_.name(), "an array has numbers of the unknown type " + in_quotes(type));
   }
 
   const Input_file& file_;

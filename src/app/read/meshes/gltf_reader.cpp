@@ -10,6 +10,7 @@
 #include "failure.h"
 #include "read/meshes/readers.h"
 #include "read/sources.h"
+#include "read/unpacking.h"
 
 #include <CGAL/Aff_transformation_3.h>
 
@@ -251,6 +252,7 @@ private:
         fail("a primitive of the unknown mode " + std::to_string(mode));
       note_attributes(primitive);
       add_triangles(mode, points_of(positions->second, transform), primitive, transform.is_odd());
+      check_size(file_.name(), soup_);
     }
   }
 
@@ -306,53 +308,91 @@ private:
     }
   }
 
-  // So many in each row.
+  /// Where numbers stand in a buffer, row by row, and of what type they are.
+  struct Rows
+  {
+    int view;
+    std::size_t offset, count;
+    int type, width;
+    bool is_normalized;
+  };
+
+  // So many in each row. Without a view they are zeros; a sparse accessor has others in some rows.
   std::vector<double> numbers_of(int number, int width) const {
     const tinygltf::Accessor& accessor = element(model_.accessors, number, "accessor");
     if(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != width)
       fail("an accessor is not of the type that it should be of");
+    const Rows rows = {
+        accessor.bufferView, accessor.byteOffset, accessor.count, accessor.componentType, width,
+        accessor.normalized};
+    std::vector<double> numbers = rows.view < 0 ? zeros(rows) : read_rows(rows);
     if(accessor.sparse.isSparse)
-      fail("it has a sparse accessor, which cannot be read here");
-    const tinygltf::BufferView& view = element(model_.bufferViews, accessor.bufferView, "view");
-    check_not_compressed(view.extensions);
-    const tinygltf::Buffer& buffer = element(model_.buffers, view.buffer, "buffer");
-    const int size =
-        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-    const int stride = accessor.ByteStride(view);
-    if(size <= 0 || stride < size * width)
-      fail("an accessor has an unknown type of numbers, or rows that overlap");
-    const auto row = static_cast<std::size_t>(size * width);
-    const std::size_t available = buffer.data.size();
-    if(view.byteOffset > available || view.byteLength > available - view.byteOffset ||
-       accessor.byteOffset > view.byteLength ||
-       (accessor.count > 0 &&
-        (view.byteLength - accessor.byteOffset < row ||
-         (view.byteLength - accessor.byteOffset - row) / static_cast<std::size_t>(stride) <
-             accessor.count - 1)))
-      fail("an accessor goes beyond its buffer");
-    return read_rows(accessor, buffer.data.data() + view.byteOffset + accessor.byteOffset,
-                     static_cast<std::size_t>(stride), width);
+      replace_rows(numbers, rows, accessor);
+    return numbers;
   }
 
-  std::vector<double> read_rows(const tinygltf::Accessor& accessor,
-                                const unsigned char* at,
-                                std::size_t stride,
-                                int width) const {
+  // Few bytes may say that there are many.
+  std::vector<double> zeros(const Rows& rows) const {
+    const std::size_t row = sizeof(double) * static_cast<std::size_t>(rows.width);
+    constexpr auto largest = (std::numeric_limits<std::size_t>::max)();
+    check_room(file_.name(), rows.count > largest / row ? largest : rows.count * row);
+    return std::vector<double>(rows.count * static_cast<std::size_t>(rows.width), 0.);
+  }
+
+  void replace_rows(std::vector<double>& numbers,
+                    const Rows& rows,
+                    const tinygltf::Accessor& accessor) const {
+    const auto& [count, is_sparse, indices, values] = accessor.sparse;
+    if(count < 0 || indices.byteOffset < 0 || values.byteOffset < 0 ||
+       static_cast<std::size_t>(count) > rows.count)
+      fail("a sparse accessor has more rows than there are");
+    const auto part = [count = static_cast<std::size_t>(count)](const auto& where, int type,
+                                                                int width, bool is_normalized) {
+      return Rows{where.bufferView, static_cast<std::size_t>(where.byteOffset), count, type, width,
+                  is_normalized};
+    };
+    const std::vector<double> replaced = read_rows(part(indices, indices.componentType, 1, false));
+    const std::vector<double> by =
+        read_rows(part(values, rows.type, rows.width, rows.is_normalized));
+    const auto width = static_cast<std::size_t>(rows.width);
+    for(std::size_t i = 0; i < replaced.size(); ++i) {
+      if(!(replaced[i] >= 0. && replaced[i] < static_cast<double>(rows.count)))
+        fail("a sparse accessor has a row that is not there");
+      std::copy_n(&by[i * width], width, &numbers[static_cast<std::size_t>(replaced[i]) * width]);
+    }
+  }
+
+  std::vector<double> read_rows(const Rows& rows) const {
+    const tinygltf::BufferView& view = element(model_.bufferViews, rows.view, "view");
+    check_not_compressed(view.extensions);
+    const std::vector<unsigned char>& bytes = element(model_.buffers, view.buffer, "buffer").data;
+    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(rows.type));
+    if(size <= 0)
+      fail("an accessor has an unknown type of numbers");
+    const auto row = static_cast<std::size_t>(size * rows.width);
+    const std::size_t stride = view.byteStride == 0 ? row : view.byteStride;
+    if(stride < row)
+      fail("an accessor has rows that overlap");
+    if(view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset ||
+       rows.offset > view.byteLength ||
+       (rows.count > 0 && (view.byteLength - rows.offset < row ||
+                           (view.byteLength - rows.offset - row) / stride < rows.count - 1)))
+      fail("an accessor goes beyond its buffer");
     std::vector<double> numbers;
-    numbers.reserve(accessor.count * static_cast<std::size_t>(width));
-    for(std::size_t row = 0; row < accessor.count; ++row, at += stride) {
-      const std::string_view bytes(reinterpret_cast<const char*>(at), stride);
-      Binary_source source(file_.name(), bytes, 0, true);
-      for(int i = 0; i < width; ++i)
-        numbers.push_back(read_number(source, accessor));
+    numbers.reserve(rows.count * static_cast<std::size_t>(rows.width));
+    const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    for(std::size_t i = 0; i < rows.count; ++i) {
+      Binary_source source(file_.name(), all, view.byteOffset + rows.offset + i * stride, true);
+      for(int column = 0; column < rows.width; ++column)
+        numbers.push_back(read_number(source, rows));
     }
     return numbers;
   }
 
   // A normalized integer is a share of the largest one.
-  double read_number(Binary_source& source, const tinygltf::Accessor& accessor) const {
+  double read_number(Binary_source& source, const Rows& rows) const {
     double x = 0., largest = 1.;
-    switch(accessor.componentType) {
+    switch(rows.type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
       read_as<std::int8_t>(source, x);
       largest = 127.;
@@ -378,7 +418,7 @@ private:
     default:
       fail("an accessor of numbers of an unknown type");
     }
-    return accessor.normalized ? (std::max)(x / largest, -1.) : x;
+    return rows.is_normalized ? (std::max)(x / largest, -1.) : x;
   }
 
   const Input_file& file_;

@@ -16,14 +16,17 @@
 
 #include <expat.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +39,24 @@ using Transform = CGAL::Aff_transformation_3<Kernel>;
 constexpr std::string_view core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|";
 constexpr char path_of_part[] =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
+constexpr char resolution_beside_slices[] =
+    "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|meshresolution";
+
+// Extensions of which all that bears on triangles is read here: those of production have objects in
+// files of their own, slices stand beside meshes, and the others add to triangles.
+constexpr std::string_view known_extensions[] = {
+    "http://schemas.microsoft.com/3dmanufacturing/core/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+    "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07",
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
+
+// Without what all of the consortium have in common.
+std::string name_of_extension(std::string_view space) {
+  constexpr std::string_view common = "3dmanufacturing/";
+  const std::size_t at = space.find(common);
+  return in_quotes(at == space.npos ? space : space.substr(at + common.size()));
+}
 
 // The attributes of an element, by their names.
 class Attributes
@@ -71,6 +92,7 @@ public:
     parser_ = parser.get();
     XML_SetUserData(parser_, this);
     XML_SetStartElementHandler(parser_, begin_element);
+    XML_SetStartNamespaceDeclHandler(parser_, begin_prefix);
     constexpr std::size_t step = std::size_t(1) << 20;
     for(bool is_last = false; !is_last; document.remove_prefix((std::min)(step, document.size()))) {
       throw_if_interrupted();
@@ -86,6 +108,12 @@ public:
     }
   }
 
+  /// what a prefix of names stands for, as it was declared last; empty if it was not.
+  std::string_view meaning_of(const std::string& prefix) const {
+    const auto found = prefixes_.find(prefix);
+    return found == prefixes_.end() ? std::string_view() : found->second;
+  }
+
 private:
   // No exception may go through a function of C.
   static void XMLCALL begin_element(void* self, const char* name, const char** attributes) {
@@ -98,8 +126,20 @@ private:
     }
   }
 
+  static void XMLCALL begin_prefix(void* self, const char* prefix, const char* meaning) {
+    auto& elements = *static_cast<Xml_elements*>(self);
+    try {
+      if(prefix != nullptr && meaning != nullptr)
+        elements.prefixes_[prefix] = meaning;
+    } catch(...) {
+      elements.failure_ = std::current_exception();
+      XML_StopParser(elements.parser_, XML_FALSE);
+    }
+  }
+
   const Input_file& file_;
   Visit visit_;
+  std::map<std::string, std::string> prefixes_;
   XML_Parser parser_ = nullptr;
   std::exception_ptr failure_;
 };
@@ -164,19 +204,56 @@ private:
       return;
     Object* object = nullptr;
     const bool is_model = parts_.size() == 1;
-    Xml_elements(file_, [&](std::string_view name, const Attributes& attributes) {
+    Xml_elements elements(file_, [&](std::string_view name, const Attributes& attributes) {
       if(name.substr(0, core.size()) != core)
         return;
       name.remove_prefix(core.size());
-      if(name == "object")
+      if(name == "object") {
+        check_resolution(attributes);
         object = &objects_[{part, std::string(attributes["id"])}];
-      else if(name == "model" && is_model)
-        read_unit(attributes["unit"]);
-      else if(name == "item" && is_model)
+      } else if(name == "model") {
+        check_extensions(elements, attributes);
+        if(is_model)
+          read_unit(attributes["unit"]);
+      } else if(name == "item" && is_model)
         items_.push_back(placed(part, attributes));
       else if(object != nullptr)
         read_element(part, name, attributes, *object);
-    }).read(package_.read(part));
+    });
+    elements.read(package_.read(part));
+  }
+
+  // Calls `visit(extension)` for each one that is listed, by prefixes, and not known here.
+  template <typename Visit>
+  static void
+  for_each_unknown(const Xml_elements& elements, std::string_view prefixes, Visit visit) {
+    std::istringstream list{std::string(prefixes)};
+    for(std::string prefix; list >> prefix;) {
+      const std::string_view space = elements.meaning_of(prefix);
+      if(std::find(std::begin(known_extensions), std::end(known_extensions), space) ==
+         std::end(known_extensions))
+        visit(space.empty() ? in_quotes(prefix) : name_of_extension(space));
+    }
+  }
+
+  void check_extensions(const Xml_elements& elements, const Attributes& attributes) {
+    for_each_unknown(elements, attributes["requiredextensions"], [&](const std::string& name) {
+      fail_to_read(file_.name(), "it needs the extension " + name +
+                                     " of 3MF, which cannot be read here: save it as triangles "
+                                     "alone");
+    });
+    for_each_unknown(elements, attributes["recommendedextensions"], [&](const std::string& name) {
+      const std::string words = "what the extension " + name + " of 3MF adds";
+      std::vector<std::string>& unread = soup_.facts.unread;
+      if(std::find(unread.begin(), unread.end(), words) == unread.end())
+        unread.push_back(words);
+    });
+  }
+
+  void check_resolution(const Attributes& attributes) const {
+    if(attributes[resolution_beside_slices] == "lowres")
+      fail_to_read(file_.name(), "its triangles are coarse: what is meant is in slices, which "
+                                 "cannot be read here");
   }
 
   void read_unit(std::string_view name) {
@@ -243,7 +320,7 @@ private:
 
   // Components may hold components, and name an object twice: so a small file may say a lot.
   void add(const Placed_object& placed, int depth) {
-    throw_if_interrupted();
+    check_size(file_.name(), soup_);
     const auto found = objects_.find(placed.name);
     if(found == objects_.end())
       fail_to_read(file_.name(),

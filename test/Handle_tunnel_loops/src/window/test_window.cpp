@@ -13,6 +13,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -223,6 +224,18 @@ TEST(Inflated, TakesStreamsAfterEachOtherAndNoBrokenOnes) {
   EXPECT_FALSE(inflated(one.substr(0, one.size() - 1)));
   EXPECT_FALSE(inflated(""));
   EXPECT_FALSE(inflated("handle"));
+}
+
+TEST(Inflated, TellsHowMuchThereIsAndEndsWhereThatThrows) {
+  const std::string packed = deflated(std::string(std::size_t(1) << 24, '\0'));
+  std::size_t largest = 0;
+  const auto watch = [&largest](std::size_t size) {
+    largest = size;
+    if(size > 1000000)
+      throw std::length_error("that is enough");
+  };
+  EXPECT_THROW(inflated(packed, Frame::NONE, watch), std::length_error);
+  EXPECT_LT(largest, 2000000u);
 }
 
 TEST(Html_text, IsNoMarkup) {
