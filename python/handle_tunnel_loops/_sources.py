@@ -16,7 +16,7 @@ from ._waiting import computed
 _options = {
     "--triangulate": "triangulate=True",
     "--repair": "repair=True",
-    " (--format says which one it is whatever its name)": "",
+    " (--format says which one it is, whatever its name)": "",
 }
 
 RepairStep = Literal["degenerate", "weld", "duplicates", "one-sided", "pillows", "orient", "split"]

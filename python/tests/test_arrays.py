@@ -234,7 +234,7 @@ def test_messages_are_in_words_of_python(torus, tmp_path):
     for name, words in [
         ("--repair.off", r"--repair.off: .*; triangulate=True makes it triangles$"),
         ("turned.off", r"; repair=True mends this:\n  1 face turned over: face 0$"),
-        ("mesh.txt", r"not supported; those that are: \.off \.obj \.ply \.stl .*\.vtp"),
+        ("mesh.txt", r"does not name a supported format; those are: \.off \.obj \.ply \.stl .*\.vtp"),
     ]:
         with pytest.raises((ValueError, OSError), match=words):
             htl.read(tmp_path / name)
@@ -257,7 +257,7 @@ def test_names_of_files(torus, tmp_path, monkeypatch):
             htl.read(name)  # it is a page now
     htl.html(*torus, L, "-")  # these are no streams
     assert os.path.getsize("-") > 0
-    with pytest.raises(OSError, match="not supported"):
+    with pytest.raises(OSError, match="supported format"):
         htl.read("-")
     with pytest.raises(FileNotFoundError):
         htl.read("nothing.off")

@@ -87,7 +87,7 @@ if(MKFIFO)
       "'${HTLOOPS}' loops scans --csv cut.csv --jsonl cut.jsonl & pid=$!; sleep 2; kill -TERM $pid; wait $pid"
       WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code ERROR_VARIABLE errors OUTPUT_QUIET)
     expect_equal("${code}" 143)
-    expect_match("${errors}" "--resume goes on.*interrupted")
+    expect_match("${errors}" "--resume continues.*interrupted")
     file(READ "${FOLDER}/cut.csv" same_rows)
     expect_equal("${same_rows}" "${rows}")
   endif()
@@ -96,7 +96,7 @@ if(MKFIFO)
   # As if the third had been cut off in the middle, in one of the files.
   file(APPEND "${FOLDER}/cut.csv" "scans/c.off,,,,,cannot re")
   run(3 loops scans --csv cut.csv --jsonl cut.jsonl --resume)
-  expect_match("${errors}" "2 of 4 meshes are told of already")
+  expect_match("${errors}" "2 of 4 meshes are in the files already")
   expect_match("${output}" "^mesh [^\n]*\nscans/c.off [^\n]*\nscans/d.PLY [^\n]*\n$")
   file(READ "${FOLDER}/cut.csv" rows)
   file(READ "${FOLDER}/loops.csv" expected)
@@ -126,15 +126,15 @@ expect_equal("${output}${errors}" "")
 
 # Other columns, other files, and nothing to go on with.
 run(2 measure scans --csv cut.csv --resume)
-expect_match("${errors}" "cut.csv cannot be gone on with: it has other columns")
+expect_match("${errors}" "cut.csv cannot be resumed: it has other columns")
 file(READ "${FOLDER}/cut.csv" rows)
 expect_equal("${rows}" "${expected}")
 file(WRITE "${FOLDER}/other.jsonl" "{\"name\": 1}\n")
 run(2 loops scans --jsonl other.jsonl --resume)
-expect_match("${errors}" "no file of lines of JSON about meshes")
+expect_match("${errors}" "it is not a file of lines of JSON about meshes")
 run(2 loops scans --resume)
 run(2 loops scans --csv - --resume)
-expect_match("${errors}" "--resume goes on with files")
+expect_match("${errors}" "--resume continues files")
 
 # Who stops reading ends the program, which says nothing of it and leaves nothing behind.
 execute_process(COMMAND "${HTLOOPS}" loops scans/a.off --csv - -o piped.json

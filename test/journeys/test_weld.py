@@ -49,7 +49,7 @@ def test_a_slicer_takes_it_for_a_solid(tool, scan):
 
 def test_what_would_be_no_surface_is_refused_with_the_place(tool, scan):
     said = tool.run("repair", scan, "--weld", "0.5", "-o", "sound.off", code=4).stderr
-    assert "faces along edge" in said and "near (" in said and "no surface" in said
+    assert "faces along edge" in said and "near (" in said and "would not be a surface" in said
     assert not (tool.folder / "sound.off").exists()
 
 

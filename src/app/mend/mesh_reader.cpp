@@ -23,7 +23,7 @@ namespace {
 std::string message(const std::string& file, const std::vector<Defect>& defects) {
   if(defects.size() == 1)
     return file + ": " + defects.front().message + "; ";
-  std::string text = file + " is no oriented manifold of triangles:";
+  std::string text = file + " is not an oriented manifold of triangles:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   return text + "\n";
@@ -38,7 +38,7 @@ std::string lines_of(const std::vector<Change>& changes) {
 
 // What has been done already, as numbers are those of afterwards.
 std::string words_on_changes(const std::vector<Change>& changes) {
-  return changes.empty() ? "" : "\nthat is after it was mended:" + lines_of(changes);
+  return changes.empty() ? "" : "\nthis is after mending:" + lines_of(changes);
 }
 
 // The file is read once more if mending has used up what there was.
@@ -103,14 +103,12 @@ Soup read_whole_soup(const Input_file& file) {
   return soup.facts.is_parted_at_seams ? join_seams(std::move(soup)) : soup;
 }
 
-Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
+Mended_mesh mesh_of(Soup soup, const Input_file& file, const Remedies& remedies) {
   Mended_soup mended;
   if(remedies.any())
-    mended = mend(read_whole_soup(file), remedies);
-  else {
-    mended.soup = read_whole_soup(file);
-    file.close();
-  }
+    mended = mend(std::move(soup), remedies);
+  else
+    mended.soup = std::move(soup);
   throw_if_interrupted();
   Built_mesh built = build_mesh(mended.soup);
   throw_if_interrupted();
@@ -119,6 +117,13 @@ Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
   Face_cuts cuts = cuts_of(built.mesh, mended);
   return {std::move(built.mesh), std::move(mended.changes), std::move(mended.origins),
           std::move(cuts), std::move(mended.soup.facts)};
+}
+
+Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
+  Soup soup = read_whole_soup(file);
+  if(!remedies.any()) // then it is not looked at again
+    file.close();
+  return mesh_of(std::move(soup), file, remedies);
 }
 
 Mesh read_mesh(Input_file file) { return read_mesh(std::move(file), Remedies()).mesh; }

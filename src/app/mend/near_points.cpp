@@ -137,7 +137,7 @@ void check_not_crowded(const Soup& soup,
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
                   "--weld: within " + in_words(length) + " it would join " + std::to_string(faces) +
                       " faces along " + name_of_edge(u, v) + ", near " + words_of(soup.points[u]) +
-                      ", and the result would be no surface; a smaller length may do");
+                      ", and the result would not be a surface; a smaller length may work");
   });
 }
 

@@ -46,7 +46,7 @@ Vtk_document::Vtk_document(const Input_file& file)
   tree_ = read_xml(file, document);
   const auto root = tree_.get_child_optional("VTKFile");
   if(!root)
-    fail("it is no file of VTK's XML");
+    fail("it is not a VTK XML file");
   compressor_ = xml_attribute(*root, "compressor");
   is_little_endian_ = xml_attribute(*root, "byte_order") != "BigEndian";
   size_of_header_ = xml_attribute(*root, "header_type") == "UInt64" ? 8 : 4;
@@ -95,13 +95,13 @@ Read_number Vtk_document::reader_of(const std::string& type) const {
   for(const Vtk_type& known : vtk_types)
     if(type == known.name)
       return known.read;
-  fail("it has numbers of the type " + in_quotes(type) + ", which cannot be read here");
+  fail("it has numbers of the type " + in_quotes(type) + ", which is not supported");
 }
 
 std::string Vtk_document::bytes_of(const Xml_tree& array) const {
   if(is_packed() && compressor_ != "vtkZLibDataCompressor")
-    fail("its arrays are packed by " + in_quotes(compressor_) +
-         ", which cannot be read here; save it with ZLib, or without compression");
+    fail("its arrays are compressed with " + in_quotes(compressor_) +
+         ", which is not supported; save it with ZLib, or without compression");
   const std::string format = xml_attribute(array, "format");
   if(format == "binary")
     return unpacked(htl_window::bytes_of_base64(array.data()));
@@ -171,7 +171,7 @@ std::string Vtk_document::unpacked(std::string_view bytes) const {
     const std::optional<std::string> part =
         htloops::unpacked(file_.name(), take(header[block]), htl_window::Frame::ZLIB, all.size());
     if(!part)
-      fail("an array has a block that is no stream of zlib");
+      fail("a block of an array is not a zlib stream");
     all += *part;
   }
   return all;
@@ -181,7 +181,7 @@ Vtk_document::Numbers Vtk_document::points(const Xml_tree& piece) const {
   Numbers x = array(piece, "Points", "");
   const auto announced = piece.get_optional<std::size_t>("<xmlattr>.NumberOfPoints");
   if(x.size() % 3 != 0 || (announced && x.size() / 3 != *announced))
-    fail("a piece has not as many points, of three coordinates, as it says");
+    fail("a piece does not have as many points, of three coordinates, as it says");
   return x;
 }
 
@@ -198,7 +198,7 @@ Vtk_document::Cells Vtk_document::cells(const Xml_tree& piece,
       fail("cell " + std::to_string(cells.size() - 1) + " has more points than there are");
     for(; static_cast<double>(begin) < end; ++begin) {
       if(!(numbers[begin] >= 0. && numbers[begin] < static_cast<double>(number_of_points)))
-        fail("cell " + std::to_string(cells.size() - 1) + " has a point that is not there");
+        fail("cell " + std::to_string(cells.size() - 1) + " names a point that does not exist");
       cells.back().push_back(first + static_cast<std::size_t>(numbers[begin]));
     }
   }

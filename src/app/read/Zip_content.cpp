@@ -40,7 +40,7 @@ Zip_content::Zip_content(const Input_file& archive)
   const std::size_t count = number_at<std::uint16_t>(end + 10);
   for(std::size_t i = 0; i < count; ++i) {
     if(at > content.size() || content.substr(at, 4) != "PK\1\2")
-      fail("its list of files is broken");
+      fail("its list of files is damaged");
     const std::size_t name_size = number_at<std::uint16_t>(at + 28);
     const Member member = {number_at<std::uint16_t>(at + 10), number_at<std::uint32_t>(at + 16),
                            number_at<std::uint32_t>(at + 20), number_at<std::uint32_t>(at + 42)};
@@ -90,7 +90,7 @@ std::string Zip_content::read(const std::string& name) const {
   else if(member.method == deflated)
     bytes = unpacked(archive_.name(), packed, htl_window::Frame::NONE);
   if(!bytes || !has_checksum(*bytes, member.checksum))
-    fail("its " + in_quotes(name) + " is broken");
+    fail("its " + in_quotes(name) + " is damaged");
   return std::move(*bytes);
 }
 

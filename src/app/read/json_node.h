@@ -77,7 +77,7 @@ struct Json_node
 
   std::string text() const {
     if(!value.is_string())
-      fail("is not a text");
+      fail("is not a string");
     return value.get<std::string>();
   }
 

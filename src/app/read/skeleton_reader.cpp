@@ -103,7 +103,7 @@ public:
 private:
   std::size_t checked(std::size_t point) const {
     if(point >= numbers_.size())
-      fail_to_read(file_.name(), "a line passes a point that is not there");
+      fail_to_read(file_.name(), "a line passes through a point that does not exist");
     return numbers_[point];
   }
 
@@ -163,7 +163,7 @@ private:
   std::size_t end_of(const Json_node& arc, const char* name, const Point& place) const {
     const std::size_t node = arc.member(name).count();
     if(node >= nodes_.size())
-      arc.member(name).fail("is no node");
+      arc.member(name).fail("is not a node");
     if(nodes_[node] != place)
       arc.fail("has a polyline that does not lead to its " + std::string(name));
     return node;
@@ -175,7 +175,7 @@ private:
       polyline.push_back(point_of(point));
     });
     if(polyline.size() < 2)
-      arc.fail("has a polyline of less than two points");
+      arc.fail("has a polyline of fewer than two points");
     std::vector<std::size_t> points = {end_of(arc, "source", polyline.front())};
     for(std::size_t i = 1; i + 1 < polyline.size(); ++i)
       points.push_back(add_point(polyline[i]));
@@ -200,7 +200,7 @@ Skeleton_record read_skeleton_json(const Input_file& file) {
 double coordinate(Text_source& text) {
   double x;
   if(!text.read(x))
-    text.fail("a point has no three coordinates");
+    text.fail("a point does not have three coordinates");
   return x;
 }
 
@@ -304,7 +304,7 @@ public:
   Skeleton_record read() {
     const Xml_tree* poly_data = document_.data_set("PolyData");
     if(poly_data == nullptr)
-      fail_to_read(file_.name(), "it is no PolyData of VTK");
+      fail_to_read(file_.name(), "it is not VTK PolyData");
     Vtk_document::for_each_piece(*poly_data, [this](const Xml_tree& piece) { read_piece(piece); });
     return {lines_.finish(), {}};
   }
@@ -337,7 +337,7 @@ private:
 
   std::size_t component(double number) const {
     if(!(number >= 0. && number < 1e15))
-      fail_to_read(file_.name(), "a line has a component that is no count");
+      fail_to_read(file_.name(), "a line has a component that is not a count");
     return static_cast<std::size_t>(number);
   }
 
@@ -358,7 +358,7 @@ public:
     const auto root = tree.get_child_optional("graphml");
     const auto graph = tree.get_child_optional("graphml.graph");
     if(!root || !graph)
-      fail_to_read(file_.name(), "it is no GraphML");
+      fail_to_read(file_.name(), "it is not GraphML");
     for(const auto& [kind, key] : *root)
       if(kind == "key")
         name_of_key_[xml_attribute(key, "id")] = xml_attribute(key, "attr.name");
@@ -403,7 +403,7 @@ private:
   std::size_t number_of(const std::string& id) const {
     const auto it = number_of_.find(id);
     if(it == number_of_.end())
-      fail_to_read(file_.name(), "an edge leads to the node " + id + ", which is not there");
+      fail_to_read(file_.name(), "an edge leads to the node " + id + ", which does not exist");
     return it->second;
   }
 

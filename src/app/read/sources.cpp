@@ -142,7 +142,7 @@ std::string in_quotes(std::string_view word) {
 void Text_source::skip_numbers() {
   for(double number; !is_at_line_end();)
     if(!read(number))
-      fail(in_quotes(word()) + " is no number");
+      fail(in_quotes(word()) + " is not a number");
   skip_line();
 }
 

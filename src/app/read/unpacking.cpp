@@ -66,8 +66,8 @@ std::size_t most_bytes_of_few() {
 void check_room(const std::string& file, std::size_t bytes) {
   static const std::size_t most = most_bytes_of_few();
   if(bytes > most)
-    fail_to_read(file, "what is in it would take more than " + in_megabytes(most) +
-                           ", a quarter of the memory that there is");
+    fail_to_read(file, "its content would take more than " + in_megabytes(most) +
+                           ", a quarter of the available memory");
 }
 
 std::optional<std::string> unpacked(const std::string& file,

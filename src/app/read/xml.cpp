@@ -91,8 +91,7 @@ std::vector<double> numbers_of_text(const Input_file& file, std::string_view con
   while(text.skip_to_content()) {
     double x;
     if(!text.read(x))
-      fail_to_read(file.name(),
-                   "there is no number where one should be: " + in_quotes(text.word()));
+      fail_to_read(file.name(), "expected a number, not " + in_quotes(text.word()));
     numbers.push_back(x);
   }
   return numbers;

@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_VTK_WRITER_H
 #define HTLOOPS_VTK_WRITER_H
 
+#include "Vtk_cell.h"
 #include "mesh_types.h"
 #include "window/base64.h"
 #include "write/bytes.h"
@@ -38,9 +39,6 @@ struct Grid_size
   std::size_t points = 0, cells = 0;
 };
 
-/// What VTK calls the cells of a grid.
-enum class Vtk_cell { VERTEX = 1, LINE = 3, POLYLINE = 4, TRIANGLE = 5, POLYGON = 7 };
-
 /// Writes points, and cells on them, as a VTK PolyData (.vtp) or UnstructuredGrid (.vtu) in a text
 /// of XML. Sections come in any order, and arrays in those that they belong to; those of cells of a
 /// PolyData have vertices first, then lines, then polygons. Arrays are text, or bytes in base64
@@ -66,6 +64,12 @@ public:
     out_ << '<' << section << attributes << ">\n";
   }
   void end(const std::string& section) { out_ << "</" << section << ">\n"; }
+
+  /// writes a comment, if it has words.
+  void comment(const std::string& words) {
+    if(!words.empty())
+      out_ << "<!-- " << words << " -->\n";
+  }
 
   /// writes an array of what `value(element)` is of the elements of a range.
   template <typename Range, typename Value>

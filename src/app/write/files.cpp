@@ -37,13 +37,6 @@ bool is_dangling_link(const fs::path& path) {
   return fs::is_symlink(fs::symlink_status(path, error)) && !fs::exists(path, error);
 }
 
-void check_opens(const std::string& file, const char* mode, const std::string& target) {
-  std::FILE* stream = std::fopen(file.c_str(), mode);
-  if(stream == nullptr)
-    fail_to_write(target);
-  std::fclose(stream);
-}
-
 } // namespace
 
 void fail_to_write(const std::string& target, const std::string& reason) {
@@ -52,6 +45,13 @@ void fail_to_write(const std::string& target, const std::string& reason) {
 }
 
 void fail_to_write(const std::string& target) { fail_to_write(target, std::strerror(errno)); }
+
+Open_file open_file(const std::string& file, const char* mode, const std::string& target) {
+  Open_file opened(std::fopen(file.c_str(), mode));
+  if(!opened)
+    fail_to_write(target);
+  return opened;
+}
 
 std::string destination_of(const std::string& target) {
   constexpr int largest_number_of_links = 40;
@@ -83,10 +83,10 @@ public:
     if(is_dangling_link(destination_))
       fail_to_write(target, "its links lead nowhere");
     if(fs::exists(status)) // renaming would replace a read-only file without asking
-      check_opens(destination_, "r+b", target);
+      open_file(destination_, "r+b", target);
     unfinished_.emplace();
     const std::string temporary = name_of_temporary(destination_);
-    check_opens(temporary, "wbx", target);
+    open_file(temporary, "wbx", target);
     temporary_ = temporary;
     if(fs::exists(status))
       fs::permissions(temporary_, status.permissions(), error);
@@ -139,25 +139,18 @@ void append_number(std::string& text, double value) {
 }
 
 Text_writer::Text_writer(const std::string& target)
-    : stream_(stdout)
-    , is_packed_(without_gz(target) != target) {
+    : is_packed_(without_gz(target) != target) {
   if(target == "-")
     return;
   path_ = std::make_unique<Staged_path>(target);
-  stream_ = std::fopen(path_->temporary().c_str(), "wb");
-  if(stream_ == nullptr)
-    fail_to_write(target);
+  file_ = open_file(path_->temporary(), "wb", target);
 }
 
-Text_writer::~Text_writer() {
-  // Closed before the temporary file is removed: not every system removes an open file.
-  if(path_ && stream_ != nullptr)
-    std::fclose(stream_);
-}
+Text_writer::~Text_writer() = default;
 
 void Text_writer::flush() {
   throw_if_interrupted();
-  if(std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) != buffer_.size())
+  if(std::fwrite(buffer_.data(), 1, buffer_.size(), path_ ? file_.get() : stdout) != buffer_.size())
     fail_to_write(path_ ? path_->target() : "the standard output");
   buffer_.clear();
 }
@@ -167,14 +160,12 @@ void Text_writer::finish() {
     buffer_ = htl_window::deflated(buffer_, htl_window::Frame::GZIP);
   flush();
   if(!path_) {
-    if(std::fflush(stream_) != 0)
+    if(std::fflush(stdout) != 0)
       fail_to_write("the standard output");
     return;
   }
   // Only a successful close tells that the last bytes found room on the disk.
-  std::FILE* stream = stream_;
-  stream_ = nullptr;
-  if(std::fclose(stream) != 0)
+  if(std::fclose(file_.release()) != 0)
     fail_to_write(path_->target());
   path_->commit();
 }

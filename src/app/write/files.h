@@ -36,6 +36,16 @@ void check_writable(const std::string& target);
 [[noreturn]] void fail_to_write(const std::string& target, const std::string& reason);
 [[noreturn]] void fail_to_write(const std::string& target); ///< as `errno` says
 
+struct Close_stream
+{
+  void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+
+using Open_file = std::unique_ptr<std::FILE, Close_stream>;
+
+/// opens a file as `std::fopen()` does, to write `target`; throws as `fail_to_write()` does.
+Open_file open_file(const std::string& file, const char* mode, const std::string& target);
+
 /// appends the shortest decimal number that reads back as exactly `value`.
 void append_number(std::string& text, double value);
 
@@ -106,7 +116,7 @@ private:
   void flush();
 
   std::unique_ptr<Staged_path> path_; // none for the standard output
-  std::FILE* stream_;                 // null when closed
+  Open_file file_; // the same; closed first, as not every system removes an open file
   bool is_packed_;
 };
 

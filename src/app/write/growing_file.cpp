@@ -12,7 +12,6 @@
 #include "failure.h"
 #include "file_names.h"
 #include "interrupt.h"
-#include "write/files.h"
 
 #include <cerrno>
 #include <cstring>
@@ -35,17 +34,16 @@ std::string Growing_file::old_lines() const {
   if(!fs::exists(target_, error))
     return "";
   if(!fs::is_regular_file(target_, error))
-    throw wrong_usage(printable(target_) + " is no file that can be gone on with");
+    throw wrong_usage(printable(target_) + " cannot be resumed: it is not a regular file");
   std::ifstream stream(target_, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
   if(!stream.eof() && stream.fail())
-    throw wrong_usage("cannot read " + printable(target_) + ", to go on with it");
+    throw wrong_usage(printable(target_) + " cannot be resumed: it cannot be read");
   if(text.size() < header_.size() && header_.compare(0, text.size(), text) == 0)
     return "";
   if(text.compare(0, header_.size(), header_) != 0)
     throw wrong_usage(printable(target_) +
-                      " cannot be gone on with: it has other columns than these options " +
-                      "write");
+                      " cannot be resumed: it has other columns than these options write");
   return text.substr(header_.size());
 }
 
@@ -64,9 +62,7 @@ std::FILE* Growing_file::stream() {
     return stdout;
   if(file_)
     return file_.get();
-  file_.reset(std::fopen(target_.c_str(), size_ == 0 ? "wb" : "ab"));
-  if(!file_)
-    fail_to_write(target_);
+  file_ = open_file(target_, size_ == 0 ? "wb" : "ab", target_);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   return file_.get();
 }

@@ -10,9 +10,10 @@
 #ifndef HTLOOPS_GROWING_FILE_H
 #define HTLOOPS_GROWING_FILE_H
 
+#include "write/files.h"
+
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -41,17 +42,12 @@ public:
   void append(std::string_view lines);
 
 private:
-  struct Close_stream
-  {
-    void operator()(std::FILE* stream) const { std::fclose(stream); }
-  };
-
   std::FILE* stream();
 
   const std::string target_;
   const std::string header_;
   std::uintmax_t size_ = 0; // 0 if what there is now is to be replaced
-  std::unique_ptr<std::FILE, Close_stream> file_;
+  Open_file file_;
 };
 
 } // namespace htloops

@@ -9,6 +9,7 @@
 
 #include "write/mesh_writer.h"
 
+#include "read/meshes/mesh_formats.h"
 #include "write/files.h"
 #include "write/meshes/msh_writer.h"
 #include "write/meshes/writers.h"
@@ -38,19 +39,13 @@ constexpr File_format<void(Text_writer&, const Written_mesh&)> mesh_formats[] = 
     {".msh", write_msh<write_msh4>},
     {".msh2", write_msh<write_msh2>},
     {".gii", write_gifti},
-    // As surfaces of FreeSurfer are called.
     {".surf", write_freesurfer},
-    {".orig", write_freesurfer},
-    {".nofix", write_freesurfer},
-    {".white", write_freesurfer},
-    {".pial", write_freesurfer},
-    {".smoothwm", write_freesurfer},
-    {".inflated", write_freesurfer},
-    {".sphere", write_freesurfer},
 };
 
-// The standard output has no name that could tell a format.
-std::string name_with_format(const std::string& file) { return file == "-" ? "mesh.off" : file; }
+// The standard output has no name that could tell a format, and FreeSurfer's surfaces have many.
+std::string name_with_format(const std::string& file) {
+  return file == "-" ? "mesh.off" : is_named_as_freesurfer(file) ? "mesh.surf" : file;
+}
 
 const auto& format_of(const std::string& file) {
   return format_of(name_with_format(file), mesh_formats);
@@ -85,13 +80,18 @@ void check_mesh_format(const std::string& file) {
 std::string words_of_written_meshes() {
   std::string words;
   for(const auto& format : mesh_formats)
-    if(format.write != write_freesurfer || format.suffix == ".surf") // which has many names
-      words += (words.empty() ? "\n" : " ") + std::string(format.suffix);
+    words += (words.empty() ? "\n" : " ") + std::string(format.suffix);
   return words;
 }
 
 void write_mesh(const std::string& file, const generators::Soup& mesh, const File_facts& facts) {
   write(file, {mesh, {}, "", facts});
+}
+
+bool has_unit(const std::string& file) {
+  const auto write = format_of(file).write;
+  return write == write_glb || write == write_3mf || write == write_gifti ||
+         write == write_freesurfer;
 }
 
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties) {

@@ -32,6 +32,9 @@ void write_mesh(const std::string& file,
                 const CGAL::Handle_tunnel_loops::generators::Soup& mesh,
                 const File_facts& facts = {});
 
+/// whether such a file has a place for the unit of lengths.
+bool has_unit(const std::string& file);
+
 /// the properties that such a file has room for: all in PLY, colours in OFF, else none.
 Vertex_properties kept_by_format(const std::string& file, const Vertex_properties& properties);
 

@@ -94,7 +94,7 @@ void write_removal(Text& out, const Listed_removal& removal) {
 }
 
 // The cells after those of all pairs, empty where nothing is known.
-void write_rest(Text& out, Row_kind kind, const Listed_pair* pair) {
+void write_rest(Text& out, Row_kind kind, Unit unit, const Listed_pair* pair) {
   if(has_measures(kind))
     write_measure(out, pair != nullptr && pair->measure ? *pair->measure : Listed_measure());
   if(kind == Row_kind::PAIRS_WITH_COSTS) {
@@ -104,7 +104,7 @@ void write_rest(Text& out, Row_kind kind, const Listed_pair* pair) {
   }
   if(kind == Row_kind::REMOVALS)
     write_removal(out, pair != nullptr && pair->removal ? *pair->removal : Listed_removal());
-  out << '\n';
+  out << ',' << words_of(unit).name << '\n';
 }
 
 Json json_of(const Listed_ball& ball) {
@@ -187,26 +187,31 @@ std::string header_of_rows(Row_kind kind) {
   return (kind == Row_kind::THROATS ? throat_header : pair_header) +
          std::string(has_measures(kind) ? measure_header : "") +
          (kind == Row_kind::PAIRS_WITH_COSTS ? cost_header : "") +
-         (kind == Row_kind::REMOVALS ? removal_header : "") + "\n";
+         (kind == Row_kind::REMOVALS ? removal_header : "") + unit_header + "\n";
 }
 
 void write_rows(Text& out, const Mesh_line& line, Row_kind kind) {
   const std::size_t commas = columns_before_error(kind);
+  const Unit unit = line.answer.unit;
   const bool has_throats = kind == Row_kind::THROATS && !line.answer.throats.all.empty();
   if(line.exit_code != 0) {
     out << as_cell(line.mesh_file) << std::string(commas, ',')
         << as_cell(boost::algorithm::replace_all_copy(line.error, "\n", " "));
-    write_rest(out, kind, nullptr);
+    write_rest(out, kind, unit, nullptr);
   } else if(has_throats)
-    write_throat_rows(out, line.mesh_file, line.answer.throats, line.answer.statistics.genus);
+    for(const Throat& throat : line.answer.throats.all) {
+      write_throat_row(out, line.mesh_file, line.answer.throats, throat,
+                       line.answer.statistics.genus);
+      write_rest(out, kind, unit, nullptr);
+    }
   else if(kind == Row_kind::THROATS || line.listing.empty()) {
     out << as_cell(line.mesh_file) << std::string(commas - 1, ',') << line.answer.statistics.genus
         << ',';
-    write_rest(out, kind, nullptr);
+    write_rest(out, kind, unit, nullptr);
   } else
     for(const Listed_pair& pair : line.listing) {
       write_pair_row(out, line, pair);
-      write_rest(out, kind, &pair);
+      write_rest(out, kind, unit, &pair);
     }
 }
 

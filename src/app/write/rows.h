@@ -32,6 +32,8 @@ constexpr char measure_header[] =
 constexpr char cost_header[] =
     ",cut_area,cut_volume,no_cut_because,fill_area,fill_volume,no_fill_because";
 constexpr char removal_header[] = ",removed_by,area,volume,refused_because";
+/// The last column of all: what lengths are counted in, as far as the file of the mesh says so.
+constexpr char unit_header[] = ",unit";
 
 /// What rows tell of.
 enum class Row_kind { PAIRS, MEASURED_PAIRS, PAIRS_WITH_COSTS, REMOVALS, THROATS };

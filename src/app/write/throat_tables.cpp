@@ -63,31 +63,30 @@ std::string table_of_throats(const Throats& throats, bool show_all) {
   return text;
 }
 
-void write_throat_rows(Text& out,
-                       const std::string& mesh_file,
-                       const Throats& throats,
-                       std::size_t genus) {
-  for(const Throat& throat : throats.all) {
-    const CGAL::Bbox_3 box = box_of(throat.loop);
-    const Point p = middle_of(box);
-    out << as_cell(mesh_file) << ',' << throat.loop.pair_index() << ',' << throat.loop.length()
-        << ',' << throat.diameter() << ',';
-    if(std::isinf(throat.prominence))
-      out << "inf";
-    else
-      out << throat.prominence;
-    out << ',' << (throat.is_separating ? 1 : 0) << ',' << name_of_side(throats, throat) << ','
-        << (throat.pair ? std::to_string(*throat.pair) : "") << ','
-        << (throat.pair ? name_of(throat.loop.type()) : "") << ',';
-    for(std::size_t i = 0; i < throat.through.size(); ++i)
-      out << (i == 0 ? "" : " ") << throat.through[i].idx();
-    out << ',' << p.x() << ',' << p.y() << ',' << p.z();
-    for(int i = 0; i < 3; ++i)
-      out << ',' << box.min(i);
-    for(int i = 0; i < 3; ++i)
-      out << ',' << box.max(i);
-    out << ',' << genus << ",\n";
-  }
+void write_throat_row(Text& out,
+                      const std::string& mesh_file,
+                      const Throats& throats,
+                      const Throat& throat,
+                      std::size_t genus) {
+  const CGAL::Bbox_3 box = box_of(throat.loop);
+  const Point p = middle_of(box);
+  out << as_cell(mesh_file) << ',' << throat.loop.pair_index() << ',' << throat.loop.length() << ','
+      << throat.diameter() << ',';
+  if(std::isinf(throat.prominence))
+    out << "inf";
+  else
+    out << throat.prominence;
+  out << ',' << (throat.is_separating ? 1 : 0) << ',' << name_of_side(throats, throat) << ','
+      << (throat.pair ? std::to_string(*throat.pair) : "") << ','
+      << (throat.pair ? name_of(throat.loop.type()) : "") << ',';
+  for(std::size_t i = 0; i < throat.through.size(); ++i)
+    out << (i == 0 ? "" : " ") << throat.through[i].idx();
+  out << ',' << p.x() << ',' << p.y() << ',' << p.z();
+  for(int i = 0; i < 3; ++i)
+    out << ',' << box.min(i);
+  for(int i = 0; i < 3; ++i)
+    out << ',' << box.max(i);
+  out << ',' << genus << ',';
 }
 
 Json json_of(const Throats& throats, const Throat& throat) {

@@ -36,11 +36,13 @@ std::vector<std::string> cells_of(const Throats& throats, const Throat& throat);
 /// no loops. Empty if they were not asked for.
 std::string table_of_throats(const Throats& throats, bool show_all);
 
-/// writes a row for each throat of a mesh. Where it cannot slip away, its prominence is "inf".
-void write_throat_rows(Text& out,
-                       const std::string& mesh_file,
-                       const Throats& throats,
-                       std::size_t genus);
+/// writes the cells of a throat, without the end of the line. Where it cannot slip away, its
+/// prominence is "inf".
+void write_throat_row(Text& out,
+                      const std::string& mesh_file,
+                      const Throats& throats,
+                      const Throat& throat,
+                      std::size_t genus);
 
 /// what a document says of a throat besides its line; an infinite prominence is null.
 Json json_of(const Throats& throats, const Throat& throat);

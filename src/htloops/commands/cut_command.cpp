@@ -51,7 +51,7 @@ void check_options(const Cut_command_options& options) {
   check_suffix(options.seams_file, ".py");
   check_suffix(options.charts_file, ".obj");
   if(!options.charts_file.empty() && !can_make_charts())
-    throw wrong_usage("--uv wants a build with Eigen");
+    throw wrong_usage("--uv needs a build with Eigen");
   if(options.is_for_textures() && (options.remedies.do_repair || options.remedies.weld))
     throw wrong_usage("--seams and --uv are about the vertices and faces of the file as they are: "
                       "mend it before, by htloops repair");
@@ -73,8 +73,9 @@ Cut_mesh read(const Cut_command_options& options) {
     result.faces = read_whole_soup(file);
     reading.remedies.do_triangulate = true;
     reading.is_quiet = options.is_quiet || !options.remedies.any();
-  }
-  result.mended = read_mended_mesh(reading, std::move(file));
+    result.mended = read_mended_mesh(reading, file, result.faces);
+  } else
+    result.mended = read_mended_mesh(reading, std::move(file));
   return result;
 }
 
@@ -91,9 +92,14 @@ Cut_answer solve(const Mended_mesh& mended, const Cut_command_options& options) 
   return find_cut(mesh, cut, bar);
 }
 
-void write_files(const Cut_command_options& options, const Mesh& mesh, const Cut_answer& answer) {
-  if(!options.opened_file.empty())
-    write_mesh(options.opened_file, opened_mesh(mesh, answer.edges));
+void write_files(const Cut_command_options& options,
+                 const Mended_mesh& mended,
+                 const Cut_answer& answer) {
+  const Mesh& mesh = mended.mesh;
+  if(!options.opened_file.empty()) {
+    write_mesh(options.opened_file, opened_mesh(mesh, answer.edges), mended.facts);
+    show_note_on_unit(options, options.opened_file, mended.facts);
+  }
   if(!options.selection_file.empty())
     export_selection(options.selection_file, mesh, answer.edges);
   if(!options.lines_files.empty() || !options.picture.file.empty()) {
@@ -147,7 +153,7 @@ void run(const Cut_command_options& options) {
   write_read_mesh(options, read_mesh.mended);
   if(!options.seams_file.empty())
     write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
-  write_files(options, mesh, answer);
+  write_files(options, read_mesh.mended, answer);
   if(!options.dual_file.empty()) {
     Progress_bar bar(!options.is_quiet && is_terminal(stderr));
     write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));

@@ -90,7 +90,7 @@ void check_lists(const CLI::App& tool, const std::vector<std::string>& arguments
     }
     if(!is_list)
       throw wrong_usage(list->first + " " + printable(written) +
-                        ": items of a list have a comma between them, and no blank: " +
+                        ": the items of a list are separated by commas, without blanks: " +
                         list->first + " " + printable(boost::algorithm::join(items, ",")));
   }
 }

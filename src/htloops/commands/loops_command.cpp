@@ -109,10 +109,7 @@ void draw(const Loops_options& options, const View& view, const Mesh& mesh, cons
     surface = drawn_surface(mesh);
     lines = lines_of(line.answer, line.listing);
   }
-  if(!options.picture.file.empty())
-    export_picture(options.picture, view, surface, lines);
-  if(!options.gltf_file.empty())
-    export_gltf(options.gltf_file, surface, lines);
+  htloops::draw(options, options.picture, view, surface, lines);
 }
 
 void write_files(const Loops_options& options, const Mended_mesh& mended, const Mesh_line& line) {
@@ -147,7 +144,7 @@ bool is_output_taken(const Loops_options& options) {
 void show(const Loops_options& options, const Mesh_line& line) {
   const Answer& answer = line.answer;
   if(answer.statistics.has_device_failed)
-    std::fprintf(stderr, "htloops: the processor went on, as the CUDA device failed: %s\n",
+    std::fprintf(stderr, "htloops: continued on the processor, as the CUDA device failed: %s\n",
                  answer.statistics.fallback.c_str());
   if(options.is_quiet)
     return;

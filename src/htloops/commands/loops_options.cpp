@@ -37,8 +37,8 @@ void add_table_options(CLI::App& command, Loops_options& options) {
   add_output(command, "--jsonl", "FILE.jsonl", options.jsonl_file,
              "an object of JSON for each mesh, on a line: genus, sizes, times, error");
   command.add_flag("--resume", options.do_resume,
-                   "go on with the files of --csv and --jsonl where a call of many meshes was\n"
-                   "interrupted: what they tell of is not done again");
+                   "continue the files of --csv and --jsonl where a call of many meshes "
+                   "was\ninterrupted: meshes that are in them are not done again");
 }
 
 void add_channels_option(CLI::App& command, Loops_options& options) {
@@ -342,7 +342,7 @@ void check_loops_options(const Loops_options& options) {
     refuse_files_of_one_mesh(options);
   if(options.do_resume && ((options.csv_file.empty() && options.jsonl_file.empty()) ||
                            options.csv_file == "-" || options.jsonl_file == "-"))
-    throw wrong_usage("--resume goes on with files: it needs --csv FILE.csv or --jsonl FILE.jsonl");
+    throw wrong_usage("--resume continues files: it needs --csv FILE.csv or --jsonl FILE.jsonl");
 }
 
 Json names_of(const Repair_steps& steps) {

@@ -153,7 +153,7 @@ void run_on_many_meshes(Loops_options options) {
     lines.resume();
     options.mesh_files = untold(options.mesh_files, lines);
     if(!options.is_quiet)
-      std::fprintf(stderr, "htloops: %zu of %zu meshes are told of already\n",
+      std::fprintf(stderr, "htloops: %zu of %zu meshes are in the files already\n",
                    number_of_all - options.mesh_files.size(), number_of_all);
   }
   Line_printer printer(options, lines);
@@ -161,7 +161,7 @@ void run_on_many_meshes(Loops_options options) {
     solve_all(options, printer);
   } catch(const Interrupted&) {
     if(!options.is_quiet && has_lasting_lines(options))
-      std::fputs("htloops: --resume goes on after the meshes that are told of\n", stderr);
+      std::fputs("htloops: --resume continues after the meshes that are in the files\n", stderr);
     throw;
   }
   printer.finish();

@@ -92,7 +92,7 @@ void check_is_no_option(const Named_file& output) {
 void check_picture(const Picture_options& picture) {
   check_name(picture.file, "a picture in PNG", {".png"});
   if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
-    throw wrong_usage("--labels and --legend want a build with stb and the DejaVu fonts");
+    throw wrong_usage("--labels and --legend need a build with stb and the DejaVu fonts");
 }
 
 void add_word_options(CLI::App& command, Picture_options& picture) {
@@ -209,13 +209,37 @@ void show_note(const std::string& file, const Near_boundary& found) {
     std::fputs(("htloops: note: " + file + ": " + found.words() + "\n").c_str(), stderr);
 }
 
+void show_note_on_unit(const Mesh_options& options,
+                       const std::string& file,
+                       const File_facts& facts) {
+  if(!options.is_quiet && facts.unit != Unit::NONE && !has_unit(file))
+    std::fprintf(stderr, "htloops: note: %s: its format cannot say that the unit is the %s\n",
+                 file == "-" ? "the standard output" : printable(file).c_str(),
+                 words_of(facts.unit).name);
+}
+
+namespace {
+
+void show_changes(const Mesh_options& options, const std::string& file, const Mended_mesh& mended) {
+  if(options.is_quiet)
+    return;
+  if(options.remedies.any())
+    std::fputs(table_of_changes(file, mended.changes).c_str(), stderr);
+  show_note(file, near_boundary_of(mended.mesh));
+}
+
+} // namespace
+
 Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file) {
   const std::string name = file.name();
   Mended_mesh mended = read_mesh(std::move(file), options.remedies);
-  if(options.remedies.any() && !options.is_quiet)
-    std::fputs(table_of_changes(name, mended.changes).c_str(), stderr);
-  if(!options.is_quiet)
-    show_note(name, near_boundary_of(mended.mesh));
+  show_changes(options, name, mended);
+  return mended;
+}
+
+Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file, Soup soup) {
+  Mended_mesh mended = mesh_of(std::move(soup), file, options.remedies);
+  show_changes(options, file.name(), mended);
   return mended;
 }
 
@@ -224,8 +248,21 @@ Mended_mesh read_mended_mesh(const Mesh_options& options) {
 }
 
 void write_read_mesh(const Mesh_options& options, const Mended_mesh& mended) {
-  if(!options.written_mesh_file.empty())
-    write_mesh(options.written_mesh_file, mended.mesh, {}, "", mended.facts);
+  if(options.written_mesh_file.empty())
+    return;
+  write_mesh(options.written_mesh_file, mended.mesh, {}, "", mended.facts);
+  show_note_on_unit(options, options.written_mesh_file, mended.facts);
+}
+
+void draw(const Common_options& options,
+          const Picture_options& picture,
+          const View& view,
+          const Drawn_surface& surface,
+          const Exported_lines& lines) {
+  if(!picture.file.empty())
+    export_picture(picture, view, surface, lines);
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, surface, lines);
 }
 
 CLI::Option* add_numbers(CLI::App& command,
@@ -329,7 +366,7 @@ void check_common_options(const Common_options& options, void (*check_lines)(con
     if(direction.empty())
       continue;
     if(is_zero(direction))
-      throw wrong_usage(std::string(name) + " 0,0,0 is no direction");
+      throw wrong_usage(std::string(name) + " 0,0,0 is not a direction");
     if(options.picture.file.empty() && options.page_file.empty())
       throw wrong_usage(std::string(name) + " says how to look at something: it needs " +
                         (has_pictures ? "--picture or --html" : "--html"));
@@ -364,7 +401,7 @@ std::string why_no_count(const std::string& text) {
   const bool is_count = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isdigit(c) != 0;
   });
-  return is_count && text.size() < 19 ? "" : text + " is no count";
+  return is_count && text.size() < 19 ? "" : text + " is not a count";
 }
 
 std::string why_not_finite(const std::string& text) {

@@ -79,6 +79,14 @@ Input_file input_of(const Mesh_options& options);
 Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file);
 Mended_mesh read_mended_mesh(const Mesh_options& options);
 
+/// reads it from a file, the soup of which is known already.
+Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file, Soup soup);
+
+/// says on the standard error that a file of a mesh has no place for the unit of its lengths.
+void show_note_on_unit(const Mesh_options& options,
+                       const std::string& file,
+                       const File_facts& facts);
+
 /// writes the mesh that was read if that is asked for.
 void write_read_mesh(const Mesh_options& options, const Mended_mesh& mended);
 
@@ -93,6 +101,13 @@ struct Common_options : Mesh_options
   View view;
   int number_of_threads = 0;
 };
+
+/// draws a surface and lines as far as files are asked for: a picture, a model as glTF.
+void draw(const Common_options& options,
+          const Picture_options& picture,
+          const View& view,
+          const Drawn_surface& surface,
+          const Exported_lines& lines);
 
 // In each, `text` stands for the value in the help.
 

@@ -65,7 +65,7 @@ double shortest_arc_of(const Reeb_command_options& options) {
 
 void check_options(const Reeb_command_options& options) {
   if(!options.height.empty() && is_zero(options.height))
-    throw wrong_usage("--height 0,0,0 is no direction");
+    throw wrong_usage("--height 0,0,0 is not a direction");
   for(const std::string& file : options.graph_files)
     check_graph_format(file);
   check_suffix(options.parts_file, ".ply");
@@ -141,10 +141,7 @@ void write_files(const Reeb_command_options& options,
     Drawn_surface surface =
         drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });
     surface.opacity = opacity_around_bones;
-    if(!options.picture.file.empty())
-      export_picture(around_bones(options.picture), options.view, surface, lines);
-    if(!options.gltf_file.empty())
-      export_gltf(options.gltf_file, surface, lines);
+    draw(options, around_bones(options.picture), options.view, surface, lines);
   }
 }
 

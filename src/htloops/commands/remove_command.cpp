@@ -123,19 +123,6 @@ View view_of(const Remove_options& options, const Pairs& all, const Pair_listing
   return view;
 }
 
-void draw(const Remove_options& options,
-          const View& view,
-          const Mesh& mesh,
-          const Exported_lines& lines) {
-  if(options.picture.file.empty() && options.gltf_file.empty())
-    return;
-  const Drawn_surface surface = drawn_surface(mesh);
-  if(!options.picture.file.empty())
-    export_picture(options.picture, view, surface, lines);
-  if(!options.gltf_file.empty())
-    export_gltf(options.gltf_file, surface, lines);
-}
-
 Mesh_line line_of(const std::string& mesh_file, const Answer& answer, const Pair_listing& listing) {
   Mesh_line line = {mesh_file};
   line.answer = answer;
@@ -154,7 +141,8 @@ void write_files(const Remove_options& options,
     Line_files(options.csv_file, "", Row_kind::REMOVALS)
         .add(line_of(options.mesh_file, answer, told.listing));
   const View view = view_of(options, answer.pairs, told.listing);
-  draw(options, view, mesh, lines_of(answer, told.listing));
+  if(!options.picture.file.empty() || !options.gltf_file.empty())
+    draw(options, options.picture, view, drawn_surface(mesh), lines_of(answer, told.listing));
   if(!options.page_file.empty())
     write_removal_page(options.page_file, view,
                        {options.mesh_file, mesh, answer.pairs, told.report, removal.mesh});
@@ -202,8 +190,8 @@ std::string table_and_summary(const Remove_options& options, const Removal_repor
 [[noreturn]] void ask_for_choice(const Remove_options& options, const Removal_report& report) {
   if(!options.is_quiet)
     show_text(table_and_summary(options, report), false);
-  throw wrong_usage("this is what --all would do, and nothing is written: say --all, or which of "
-                    "them, as --shorter-than 3% does or --pairs 0,2");
+  throw wrong_usage("this is what --all would do, and nothing is written: give --all, or say which "
+                    "handles, as --shorter-than 3% or --pairs 0,2 do");
 }
 
 void run(const Remove_options& options) {
@@ -215,7 +203,8 @@ void run(const Remove_options& options) {
   check_lengths(options, diagonal_of(mesh));
   const bool show_progress = !options.is_quiet && is_terminal(stderr);
   const Stopwatch loops_stopwatch;
-  const Answer answer = answer_of(mesh, options, show_progress);
+  Answer answer = answer_of(mesh, options, show_progress);
+  answer.unit = mended.facts.unit;
   const double loops_seconds = loops_stopwatch.seconds();
   Progress_bar bar(show_progress);
   const Removal_answer removal =
@@ -227,6 +216,7 @@ void run(const Remove_options& options) {
   if(!options.is_dry_run) {
     spread_properties(removal, properties);
     write_mesh(options.result_file, removal.mesh, properties, "", mended.facts);
+    show_note_on_unit(options, options.result_file, mended.facts);
     if(!options.map_file.empty())
       write_map_json(options.map_file, mesh.number_of_vertices(), mesh.number_of_faces(), removal);
   }

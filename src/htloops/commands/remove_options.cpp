@@ -79,7 +79,7 @@ void check_length(const std::string& option, const std::string& text, double dia
   throw wrong_usage(option + " " + text + " is more than the diagonal of the mesh's box, " +
                     formatted("%.6g", diagonal) +
                     (has_sign ? ": too long for a small handle" : "; was " + text + "% meant?") +
-                    " --yes does it nevertheless");
+                    " --yes does it anyway");
 }
 
 CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
@@ -179,7 +179,7 @@ bool has_choice(const Remove_options& options) {
 
 void check_remove_options(const Remove_options& options) {
   if(options.result_file.empty() && !options.is_dry_run && has_choice(options))
-    throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
+    throw wrong_usage("-o OUT is needed, or --dry-run");
   check_mesh_format(options.result_file);
   parse_length("--shorter-than", options.shorter_than);
   parse_length("--necks", options.necks);

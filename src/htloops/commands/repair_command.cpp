@@ -46,7 +46,7 @@ bool are_triangles(const Soup& soup) {
 void require_fit(const std::string& file, const std::vector<Defect>& defects) {
   if(defects.empty())
     return;
-  std::string text = printable(file) + " is no oriented manifold of triangles after that:";
+  std::string text = printable(file) + " is not an oriented manifold of triangles after that:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);
@@ -54,7 +54,7 @@ void require_fit(const std::string& file, const std::vector<Defect>& defects) {
 
 void run(const Repair_options& options) {
   if(options.written_mesh_file.empty() && !options.is_dry_run)
-    throw wrong_usage("-o OUT says where the mesh goes; or --dry-run");
+    throw wrong_usage("-o OUT is needed, or --dry-run");
   check_mesh_format(options.written_mesh_file);
   const Input_file file = input_of(options);
   const Mended_soup mended = mend(read_whole_soup(file), options.remedies);
@@ -63,8 +63,10 @@ void run(const Repair_options& options) {
   throw_if_interrupted();
   if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
     std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);
-  if(!options.is_dry_run && are_triangles(mended.soup) && !mended.soup.faces.empty())
+  if(!options.is_dry_run && are_triangles(mended.soup) && !mended.soup.faces.empty()) {
     write_mesh(options.written_mesh_file, triangles_of(mended.soup), mended.soup.facts);
+    show_note_on_unit(options, options.written_mesh_file, mended.soup.facts);
+  }
   require_fit(file.name(), defects);
   if(!options.is_quiet)
     show_note(file.name(), near_boundary_of(built.mesh));

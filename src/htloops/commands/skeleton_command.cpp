@@ -67,10 +67,7 @@ void draw(const Skeleton_command_options& options,
       drawn_surface(cut, [&colours = tints](std::size_t part) { return colours[part]; });
   surface.opacity = opacity_around_bones;
   const Exported_lines bones = bones_of(answer, options.has_tubes);
-  if(!options.picture.file.empty())
-    export_picture(around_bones(options.picture), options.view, surface, bones);
-  if(!options.gltf_file.empty())
-    export_gltf(options.gltf_file, surface, bones);
+  htloops::draw(options, around_bones(options.picture), options.view, surface, bones);
 }
 
 void write_files(const Skeleton_command_options& options,

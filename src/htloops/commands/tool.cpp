@@ -196,7 +196,8 @@ int run_tool(int argc, char** argv) {
   add_check_command(app, command);
   add_generate_command(app, command);
   add_help_commands(app, command);
-  app.set_version_flag("--version", version(), "the versions of what this is")->group("Help");
+  app.set_version_flag("--version", version(), "the versions of htloops and its libraries")
+      ->group("Help");
   complete_help(app, tool_footer);
 
   if(argc < 2) {

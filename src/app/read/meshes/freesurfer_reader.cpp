@@ -32,7 +32,7 @@ public:
     constexpr std::size_t row = 12;
     if(data_.bytes_left() / row < points || data_.bytes_left() / row - points < faces)
       data_.fail("it announces " + std::to_string(points) + " vertices and " +
-                 std::to_string(faces) + " faces, and ends before");
+                 std::to_string(faces) + " faces, but ends before that");
     for(std::size_t i = 0; i < points; ++i) {
       const auto [x, y, z] = read_row<float>();
       soup_.points.emplace_back(x, y, z);
@@ -50,8 +50,9 @@ private:
   std::size_t end_of_text() const {
     const std::string_view content = file_.content();
     if(content.substr(0, of_quadrangles.size()) == of_quadrangles)
-      fail_to_read(file_.name(), "it is a surface of FreeSurfer's of quadrangles; mris_convert "
-                                 "makes one of triangles");
+      fail_to_read(
+          file_.name(),
+          "it is a FreeSurfer surface of quadrangles; mris_convert makes triangles of them");
     const std::size_t line = content.find('\n');
     if(content.substr(0, of_triangles.size()) != of_triangles || line == content.npos)
       fail_to_read(file_.name(), "it is not a FreeSurfer surface");

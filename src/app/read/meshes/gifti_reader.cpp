@@ -35,8 +35,9 @@ public:
       if(kind == "DataArray")
         read_array(array);
     if(!has_points_ || !has_triangles_)
-      fail_to_read(file_.name(), "it has no surface, but data of one: its points and triangles are "
-                                 "in a file .surf.gii");
+      fail_to_read(
+          file_.name(),
+          "it has data on a surface, but not the surface itself, which is in a .surf.gii file");
     check_corners(file_.name(), soup_);
     soup_.facts.unit = Unit::MILLIMETER;
     return std::move(soup_);
@@ -73,7 +74,7 @@ private:
     const std::vector<double> x = numbers_of(array);
     const std::size_t rows = array.get("<xmlattr>.Dim0", std::size_t(0));
     if(array.get("<xmlattr>.Dim1", 0) != 3 || rows > x.size() || x.size() != 3 * rows)
-      fail_to_read(file_.name(), "an array has not as many numbers as it says");
+      fail_to_read(file_.name(), "an array does not have as many numbers as it says");
     const bool by_rows = xml_attribute(array, "ArrayIndexingOrder") != "ColumnMajorOrder";
     const std::size_t row = by_rows ? 3 : 1, column = by_rows ? 1 : rows;
     for(std::size_t i = 0; i < rows; ++i)
@@ -92,7 +93,7 @@ private:
     if(encoding == "GZipBase64Binary") {
       std::optional<std::string> all = unpacked(file_.name(), bytes);
       if(!all)
-        fail_to_read(file_.name(), "an array is no stream of zlib");
+        fail_to_read(file_.name(), "an array is not a zlib stream");
       bytes = std::move(*all);
     } else if(encoding != "Base64Binary")
       fail_to_read(file_.name(), "an array has the unknown encoding " + in_quotes(encoding));

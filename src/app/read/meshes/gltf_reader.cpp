@@ -152,7 +152,7 @@ private:
   void load() {
     const std::string_view content = file_.content();
     if(content.size() > (std::numeric_limits<unsigned>::max)())
-      fail("a file of glTF has at most four gigabytes");
+      fail("a glTF file has at most four gigabytes");
     const auto size = static_cast<unsigned>(content.size());
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(skip_image, nullptr);
@@ -166,7 +166,7 @@ private:
                                           size, folder)
             : reader.LoadASCIIFromString(&model_, &error, &warning, content.data(), size, folder);
     if(!is_read)
-      fail("it is no glTF 2.0, or is broken: " + first_line(error));
+      fail("it is not glTF 2.0, or is damaged: " + first_line(error));
   }
 
   static std::string first_line(const std::string& text) {
@@ -188,7 +188,7 @@ private:
 
   [[noreturn]] void fail_at_extension(const std::string& name) const {
     const bool is_compression = boost::algorithm::contains(name, "compression");
-    fail("it needs the extension " + in_quotes(name) + ", which cannot be read here" +
+    fail("it needs the extension " + in_quotes(name) + ", which is not supported" +
          (is_compression ? ": save it without compression" : ""));
   }
 
@@ -203,7 +203,7 @@ private:
     if(!model_.scenes.empty()) {
       const auto scene = static_cast<std::size_t>((std::max)(model_.defaultScene, 0));
       if(scene >= model_.scenes.size())
-        fail("its scene is not there");
+        fail("its scene does not exist");
       return model_.scenes[scene].nodes;
     }
     std::set<int> all;
@@ -218,7 +218,7 @@ private:
   template <typename Elements>
   auto& element(Elements& elements, int number, const char* what) const {
     if(number < 0 || static_cast<std::size_t>(number) >= elements.size())
-      fail("it names a " + std::string(what) + " that is not there");
+      fail("it names a " + std::string(what) + " that does not exist");
     return elements[static_cast<std::size_t>(number)];
   }
 
@@ -230,7 +230,7 @@ private:
       waiting.pop_back();
       const tinygltf::Node& node = element(model_.nodes, number, "node");
       if(!visited_.insert(number).second)
-        fail("its nodes are no tree");
+        fail("its nodes do not form a tree");
       check_not_compressed(node.extensions);
       const Transform transform = above * transform_of(node);
       if(node.mesh >= 0)
@@ -249,7 +249,7 @@ private:
       if(positions == primitive.attributes.end() || mode < TINYGLTF_MODE_TRIANGLES)
         continue; // points or lines
       if(mode > TINYGLTF_MODE_TRIANGLE_FAN)
-        fail("a primitive of the unknown mode " + std::to_string(mode));
+        fail("a primitive has the unknown mode " + std::to_string(mode));
       note_attributes(primitive);
       add_triangles(mode, points_of(positions->second, transform), primitive, transform.is_odd());
       check_size(file_.name(), soup_);
@@ -288,8 +288,8 @@ private:
     }
     const auto vertex = [&](std::size_t i) {
       if(!(corners[i] >= 0. && corners[i] < static_cast<double>(points.count)))
-        fail(name_of_face(soup_.faces.size()) + " names a vertex that is not there: of " +
-             std::to_string(points.count) + ", they count from 0");
+        fail(name_of_face(soup_.faces.size()) + " names a vertex that does not exist: there are " +
+             std::to_string(points.count) + ", counted from 0");
       return points.first + static_cast<std::size_t>(corners[i]);
     };
     const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
@@ -321,7 +321,7 @@ private:
   std::vector<double> numbers_of(int number, int width) const {
     const tinygltf::Accessor& accessor = element(model_.accessors, number, "accessor");
     if(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != width)
-      fail("an accessor is not of the type that it should be of");
+      fail("an accessor has the wrong type");
     const Rows rows = {
         accessor.bufferView, accessor.byteOffset, accessor.count, accessor.componentType, width,
         accessor.normalized};
@@ -357,7 +357,7 @@ private:
     const auto width = static_cast<std::size_t>(rows.width);
     for(std::size_t i = 0; i < replaced.size(); ++i) {
       if(!(replaced[i] >= 0. && replaced[i] < static_cast<double>(rows.count)))
-        fail("a sparse accessor has a row that is not there");
+        fail("a sparse accessor replaces a row that does not exist");
       std::copy_n(&by[i * width], width, &numbers[static_cast<std::size_t>(replaced[i]) * width]);
     }
   }
@@ -416,7 +416,7 @@ private:
       read_as<float>(source, x);
       break;
     default:
-      fail("an accessor of numbers of an unknown type");
+      fail("an accessor has an unknown type of numbers");
     }
     return rows.is_normalized ? (std::max)(x / largest, -1.) : x;
   }

@@ -37,10 +37,6 @@ constexpr Mesh_format mesh_readers[] = {
     {".gii", read_gifti}, {".surf", read_freesurfer},
 };
 
-// As FreeSurfer calls its surfaces, which are known by their content.
-constexpr std::string_view freesurfer_endings[] = {".orig",     ".nofix",    ".white", ".pial",
-                                                   ".smoothwm", ".inflated", ".sphere"};
-
 struct Missing_format
 {
   std::string_view ending;
@@ -73,10 +69,18 @@ bool is_utf16(std::string_view content) {
     if(!format.ending.empty() && file.is_of_format(format.ending))
       fail_to_read(file.name(), "this build cannot read " + std::string(format.ending) +
                                     ": it was made without " + format.needs);
-  fail_to_read(file.name(), "its format, which follows from the extension, is not supported; those "
-                            "that are: " +
+  fail_to_read(file.name(), "its extension does not name a supported format; those are: " +
                                 words_of_mesh_endings() +
-                                " (--format says which one it is whatever its name)");
+                                " (--format says which one it is, whatever its name)");
+}
+
+// Packed by gzip or not.
+bool ends_in_one_of(std::string_view file, const std::vector<std::string>& endings) {
+  if(boost::algorithm::iends_with(file, ".gz"))
+    file.remove_suffix(3);
+  return std::any_of(endings.begin(), endings.end(), [file](const std::string& ending) {
+    return boost::algorithm::iends_with(file, ending);
+  });
 }
 
 } // namespace
@@ -94,14 +98,13 @@ const std::vector<std::string>& endings_of_meshes() {
 std::string words_of_mesh_endings() { return boost::algorithm::join(endings_of_meshes(), " "); }
 
 bool is_named_as_mesh(std::string_view file) {
-  if(boost::algorithm::iends_with(file, ".gz"))
-    file.remove_suffix(3);
-  const auto ends_so = [file](std::string_view ending) {
-    return boost::algorithm::iends_with(file, ending);
-  };
-  return std::any_of(std::begin(mesh_readers), std::end(mesh_readers),
-                     [ends_so](const Mesh_format& format) { return ends_so(format.ending); }) ||
-         std::any_of(std::begin(freesurfer_endings), std::end(freesurfer_endings), ends_so);
+  return is_named_as_freesurfer(file) || ends_in_one_of(file, endings_of_meshes());
+}
+
+bool is_named_as_freesurfer(std::string_view file) {
+  static const std::vector<std::string> endings = {".orig",     ".nofix",    ".white", ".pial",
+                                                   ".smoothwm", ".inflated", ".sphere"};
+  return ends_in_one_of(file, endings);
 }
 
 Soup read_soup(const Input_file& file) {

@@ -29,6 +29,10 @@ std::string words_of_mesh_endings();
 /// whether the name of a file tells that it is a mesh; packed by gzip or not.
 bool is_named_as_mesh(std::string_view file);
 
+/// whether the name of a file ends as FreeSurfer calls its surfaces, `.white` say. They are known
+/// by their content.
+bool is_named_as_freesurfer(std::string_view file);
+
 /// reads a mesh by the format that its name, or its content, tells, as `readers.h` says.
 Soup read_soup(const Input_file& file);
 

@@ -51,7 +51,7 @@ public:
       if(word.substr(0, 4) != "$End" && word.substr(0, 1) == "$")
         return word.substr(1);
       if(word.substr(0, 1) != "$")
-        text_.fail(in_quotes(word) + " is no section of MSH");
+        text_.fail(in_quotes(word) + " is not a section of MSH");
     }
     return {};
   }
@@ -66,16 +66,16 @@ public:
   void read_format() {
     if(!text_.read(version_) ||
        !((2. <= version_ && version_ < 3.) || (4. <= version_ && version_ < 5.)))
-      text_.fail("it is of a version of MSH that cannot be read here: save it as 2.2 or 4.1");
+      text_.fail("its version of MSH is not supported: save it as 2.2 or 4.1");
     long long is_binary = 0, size_of_real = 0;
     if(!text_.read(is_binary) || !text_.read(size_of_real) || size_of_real != sizeof(double))
-      text_.fail("expected whether it is binary, and the size of a number, which is 8");
+      text_.fail("expected the file type, 0 or 1, and the size of a number, 8");
     text_.skip_line();
     is_text_ = is_binary == 0;
     if(is_text_)
       return;
     if(is_of_version_4() && !has_long_numbers())
-      text_.fail("it is MSH 4.0 as bytes, which cannot be read here: save it as 4.1");
+      text_.fail("it is binary MSH 4.0, which is not supported: save it as 4.1");
     std::int32_t one = 0;
     Binary_source bytes(file_.name(), file_.content(), text_.position(), true);
     bytes.read(one);
@@ -271,7 +271,7 @@ private:
   std::size_t number_of(long long tag) const {
     const auto found = numbers_.find(tag);
     if(found == numbers_.end())
-      content_.fail("an element has the node " + std::to_string(tag) + ", which is not there");
+      content_.fail("an element has the node " + std::to_string(tag) + ", which does not exist");
     return found->second;
   }
 
@@ -281,7 +281,7 @@ private:
     const long long count = content_.count_in_text("the number of elements");
     long long of_block = 1, tags = 0;
     for(long long i = 0; i < count; i += of_block) {
-      const auto head = [this] { return content_.integer("the head of elements"); };
+      const auto head = [this] { return content_.integer("the header of a block of elements"); };
       if(content_.is_text())
         head(); // the number of the element
       const Msh_type& type = type_of(head());
@@ -289,7 +289,7 @@ private:
         of_block = head();
       tags = head();
       if(of_block < 1 || tags < 0)
-        content_.fail("a head of elements that cannot be");
+        content_.fail("an invalid header of a block of elements");
       for(long long k = 0; k < of_block; ++k) {
         for(long long t = content_.is_text() ? 0 : -1; t < tags; ++t)
           content_.integer("a tag of an element");

@@ -114,7 +114,7 @@ private:
     const std::string_view word = text_.word();
     long long number;
     if(!parse_corner(word, number))
-      text_.fail(in_quotes(word) + " is no corner of a face");
+      text_.fail(in_quotes(word) + " is not a corner of a face");
     const auto size = static_cast<long long>(soup_.points.size());
     if(number == 0 || number < -size || number > (std::numeric_limits<std::uint32_t>::max)())
       text_.fail(no_such_vertex(soup_.faces.size(), number, soup_.points.size(), first_vertex));

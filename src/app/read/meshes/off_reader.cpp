@@ -40,12 +40,12 @@ Off_header read_keyword(Text_source& text) {
   header.has_normals = take_prefix(keyword, "N");
   header.is_homogeneous = take_prefix(keyword, "4");
   if(keyword == "nOFF" || keyword == "SKEL")
-    text.fail("an OFF file of the kind " + std::string(keyword) + " is not read");
+    text.fail("an OFF file of the kind " + std::string(keyword) + " is not supported");
   if(keyword != "OFF")
     text.fail("an OFF file begins with the word OFF or with the numbers of vertices and faces");
   text.skip_to_content();
   if(Text_source ahead = text; ahead.word() == "BINARY")
-    text.fail("a binary OFF file is not read; one in text form is");
+    text.fail("binary OFF is not supported, only text");
   return header;
 }
 
@@ -104,9 +104,9 @@ private:
         fail_at_end("vertices", i, count);
       double x, y, z, w = 1.;
       if(!read(x) || !read(y) || !read(z))
-        text_.fail_incomplete(name_of_vertex(i) + " has no three coordinates");
+        text_.fail_incomplete(name_of_vertex(i) + " does not have three coordinates");
       if(header_.is_homogeneous && !read(w))
-        text_.fail_incomplete(name_of_vertex(i) + " has no four coordinates");
+        text_.fail_incomplete(name_of_vertex(i) + " does not have four coordinates");
       soup_.points.emplace_back(x / w, y / w, z / w);
       end_element();
     }

@@ -73,7 +73,7 @@ Ply_property read_property(Text_source& text) {
     property.count_type = ply_type(count_type);
     if(!property.is_list() || !property.count_type->is_integer)
       text.fail("a list whose length is of the type " + in_quotes(count_type) +
-                ", which is no integer type");
+                ", which is not an integer type");
     property.type_name = text.word();
   }
   property.type = ply_type(property.type_name);

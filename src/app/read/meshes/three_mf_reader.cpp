@@ -102,7 +102,7 @@ public:
       if(failure_)
         std::rethrow_exception(failure_);
       if(!is_read)
-        fail_to_read(file_.name(), std::string("its model is no XML: ") +
+        fail_to_read(file_.name(), std::string("its model is not XML: ") +
                                        XML_ErrorString(XML_GetErrorCode(parser_)) + " in line " +
                                        std::to_string(XML_GetCurrentLineNumber(parser_)));
     }
@@ -115,25 +115,26 @@ public:
   }
 
 private:
-  // No exception may go through a function of C.
   static void XMLCALL begin_element(void* self, const char* name, const char** attributes) {
     auto& elements = *static_cast<Xml_elements*>(self);
-    try {
-      elements.visit_(name, Attributes(attributes));
-    } catch(...) {
-      elements.failure_ = std::current_exception();
-      XML_StopParser(elements.parser_, XML_FALSE);
-    }
+    elements.note_failure_of([&] { elements.visit_(name, Attributes(attributes)); });
   }
 
   static void XMLCALL begin_prefix(void* self, const char* prefix, const char* meaning) {
     auto& elements = *static_cast<Xml_elements*>(self);
-    try {
+    elements.note_failure_of([&] {
       if(prefix != nullptr && meaning != nullptr)
         elements.prefixes_[prefix] = meaning;
+    });
+  }
+
+  // No exception may go through a function of C.
+  template <typename Action> void note_failure_of(Action action) {
+    try {
+      action();
     } catch(...) {
-      elements.failure_ = std::current_exception();
-      XML_StopParser(elements.parser_, XML_FALSE);
+      failure_ = std::current_exception();
+      XML_StopParser(parser_, XML_FALSE);
     }
   }
 
@@ -181,7 +182,7 @@ public:
     for(const Placed_object& item : items_)
       add(item, 0);
     if(soup_.faces.empty())
-      fail_to_read(file_.name(), "nothing in it is to be built");
+      fail_to_read(file_.name(), "it has nothing to build");
     check_corners(file_.name(), soup_);
     return std::move(soup_);
   }
@@ -239,7 +240,7 @@ private:
   void check_extensions(const Xml_elements& elements, const Attributes& attributes) {
     for_each_unknown(elements, attributes["requiredextensions"], [&](const std::string& name) {
       fail_to_read(file_.name(), "it needs the extension " + name +
-                                     " of 3MF, which cannot be read here: save it as triangles "
+                                     " of 3MF, which is not supported: save it as triangles "
                                      "alone");
     });
     for_each_unknown(elements, attributes["recommendedextensions"], [&](const std::string& name) {
@@ -252,8 +253,8 @@ private:
 
   void check_resolution(const Attributes& attributes) const {
     if(attributes[resolution_beside_slices] == "lowres")
-      fail_to_read(file_.name(), "its triangles are coarse: what is meant is in slices, which "
-                                 "cannot be read here");
+      fail_to_read(file_.name(),
+                   "its triangles are only a coarse stand-in for slices, which are not supported");
   }
 
   void read_unit(std::string_view name) {
@@ -265,7 +266,7 @@ private:
         soup_.facts.unit = unit;
         return;
       }
-    fail_to_read(file_.name(), "it counts in the unknown unit " + in_quotes(name));
+    fail_to_read(file_.name(), "it has the unknown unit " + in_quotes(name));
   }
 
   void read_element(const std::string& part,
@@ -310,7 +311,7 @@ private:
     std::array<double, 12> m{};
     for(double& x : m)
       if(!source.read(x))
-        fail_to_read(file_.name(), "a transform is not of twelve numbers: " + in_quotes(text));
+        fail_to_read(file_.name(), "a transform does not have twelve numbers: " + in_quotes(text));
     if(source.skip_to_content())
       fail_to_read(file_.name(), "a transform has more than twelve numbers: " + in_quotes(text));
     object.transform =
@@ -323,13 +324,13 @@ private:
     check_size(file_.name(), soup_);
     const auto found = objects_.find(placed.name);
     if(found == objects_.end())
-      fail_to_read(file_.name(),
-                   "it names the object " + in_quotes(placed.name.second) + ", which is not there");
+      fail_to_read(file_.name(), "it names the object " + in_quotes(placed.name.second) +
+                                     ", which does not exist");
     constexpr int deepest = 100;
     constexpr std::size_t most_objects = 1000000;
     if(depth > deepest || ++number_of_objects_ > most_objects ||
        3 * soup_.faces.size() > Soup::largest_number_of_halfedges)
-      fail_to_read(file_.name(), "its components hold too many components");
+      fail_to_read(file_.name(), "its components are too many, or nested too deep");
     add_mesh(found->second, placed.transform);
     for(const Placed_object& component : found->second.components)
       add({component.name, placed.transform * component.transform}, depth + 1);

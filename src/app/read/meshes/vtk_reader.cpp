@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "Vtk_cell.h"
 #include "read/Vtk_document.h"
 #include "read/meshes/readers.h"
 
@@ -16,19 +17,6 @@
 
 namespace htloops {
 namespace {
-
-// As VTK numbers the types of cells.
-enum Vtk_cell {
-  TRIANGLE = 5,
-  TRIANGLE_STRIP = 6,
-  POLYGON = 7,
-  PIXEL = 8,
-  QUAD = 9,
-  QUADRATIC_TRIANGLE = 22,
-  QUADRATIC_QUAD = 23,
-  BIQUADRATIC_QUAD = 28,
-  BIQUADRATIC_TRIANGLE = 34
-};
 
 // Or a point, or nothing.
 bool is_line(double type) {
@@ -119,22 +107,29 @@ private:
       cell.resize((std::min)(corners, cell.size())); // without those within edges
       soup_.add_face(cell);
     };
-    if(type == TRIANGLE || type == QUADRATIC_TRIANGLE || type == BIQUADRATIC_TRIANGLE)
-      add(3);
-    else if(type == QUAD || type == QUADRATIC_QUAD || type == BIQUADRATIC_QUAD)
-      add(4);
-    else if(type == POLYGON)
-      add(cell.size());
-    else if(type == PIXEL && cell.size() == 4) {
-      std::swap(cell[2], cell[3]); // it goes row by row
-      add(4);
-    } else if(type == TRIANGLE_STRIP)
-      add_strip(cell);
-    else if(is_curved_face(type))
-      fail_to_read(file_.name(), "it has faces of the type " + std::to_string(int(type)) +
-                                     " of VTK, which cannot be read here: triangulate them");
-    else if(!is_line(type))
-      has_volumes_ = true;
+    switch(static_cast<Vtk_cell>(type >= 0. && type < 256. ? static_cast<int>(type) : 0)) {
+    case Vtk_cell::TRIANGLE:
+    case Vtk_cell::QUADRATIC_TRIANGLE:
+    case Vtk_cell::BIQUADRATIC_TRIANGLE:
+      return add(3);
+    case Vtk_cell::PIXEL: // it goes row by row
+      if(cell.size() == 4)
+        std::swap(cell[2], cell[3]);
+      return add(4);
+    case Vtk_cell::QUAD:
+    case Vtk_cell::QUADRATIC_QUAD:
+    case Vtk_cell::BIQUADRATIC_QUAD:
+      return add(4);
+    case Vtk_cell::POLYGON:
+      return add(cell.size());
+    case Vtk_cell::TRIANGLE_STRIP:
+      return add_strip(cell);
+    default:
+      if(is_curved_face(type))
+        fail_to_read(file_.name(), "it has faces of the type " + std::to_string(int(type)) +
+                                       " of VTK, which is not supported: triangulate them");
+      has_volumes_ = has_volumes_ || !is_line(type);
+    }
   }
 
   const Input_file& file_;

@@ -47,6 +47,12 @@ void write_points_and_triangles(Text_writer& out,
 
 } // namespace
 
+std::string comment_on_unit(const char* before, const Written_mesh& written, const char* after) {
+  const Unit unit = written.facts.unit;
+  return unit == Unit::NONE ? "" : before + std::string("unit: ") + words_of(unit).name + after;
+}
+
+// Without a comment, over which some readers stumble.
 void write_off(Text_writer& out, const Written_mesh& written) {
   out << (written.properties.empty() ? "OFF\n" : "COFF\n") << written.mesh.points.size() << ' '
       << written.mesh.triangles.size() << " 0\n";
@@ -54,6 +60,7 @@ void write_off(Text_writer& out, const Written_mesh& written) {
 }
 
 void write_obj(Text_writer& out, const Written_mesh& written) {
+  out << comment_on_unit("# ", written, "\n");
   write_points_and_triangles(out, written, "v ", "f ", 1);
 }
 
@@ -61,7 +68,8 @@ void write_ply(Text_writer& out, const Written_mesh& written) {
   out << "ply\nformat ascii 1.0\n";
   if(!written.comment.empty())
     out << "comment " << written.comment << '\n';
-  out << "element vertex " << written.mesh.points.size()
+  out << comment_on_unit("comment ", written, "\n") << "element vertex "
+      << written.mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\n";
   for(const Vertex_property& property : written.properties)
     out << "property " << property.type << ' ' << property.name << '\n';

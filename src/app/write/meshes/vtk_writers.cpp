@@ -14,6 +14,7 @@ namespace htloops {
 namespace {
 
 void write_points(Vtk_writer& vtk, const Written_mesh& written) {
+  vtk.comment(comment_on_unit("", written, ""));
   vtk.points(written.mesh.points, [](const auto& p) { return Point(p[0], p[1], p[2]); });
 }
 

@@ -28,6 +28,9 @@ struct Written_mesh
   const File_facts& facts;
 };
 
+/// what a comment says of the unit, after some words; empty if none is known.
+std::string comment_on_unit(const char* before, const Written_mesh& written, const char* after);
+
 // One for each format. Those of text write numbers that read back as exactly themselves.
 
 void write_off(Text_writer& out, const Written_mesh& written);

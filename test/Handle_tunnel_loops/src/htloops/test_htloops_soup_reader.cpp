@@ -160,9 +160,9 @@ TEST_F(Soup_reader, reads_lines_that_end_with_carriage_returns) {
   expect_tetrahedron("cr.ply", with_cr(ply_header("ascii") + points + faces));
   expect_tetrahedron("cr.stl", with_cr(text_stl_file()));
   expect_failure("a.off", with_cr(replaced(off_file(), "3 1 2 3", "3 1 2 3 x")),
-                 ":9: 'x' is no number");
-  expect_failure("a.obj", with_cr(continued + "f 1 2 x\n"), ":11: 'x' is no corner");
-  expect_failure("a.obj", with_crlf(obj_file() + "f 1 2 x\n"), ":9: 'x' is no corner");
+                 ":9: 'x' is not a number");
+  expect_failure("a.obj", with_cr(continued + "f 1 2 x\n"), ":11: 'x' is not a corner");
+  expect_failure("a.obj", with_crlf(obj_file() + "f 1 2 x\n"), ":9: 'x' is not a corner");
 }
 
 TEST_F(Soup_reader, says_that_a_file_is_utf_16) {
@@ -212,8 +212,8 @@ TEST_F(Soup_reader, reads_homogeneous_off) {
   const std::string good =
       "4OFF\n4 4 6\n0 0 0 1\n2 0 0 2\n0 1.5 0 1\n0 0 -0.4 2\n" + std::string(faces);
   expect_tetrahedron("homogeneous.off", good);
-  expect_failure("a.off", replaced(good, "2 0 0 2", "2 0 0"), ":4: vertex 1 has no four");
-  expect_failure("a.off", "nOFF\n3\n0 0 0\n", "of the kind nOFF is not read");
+  expect_failure("a.off", replaced(good, "2 0 0 2", "2 0 0"), ":4: vertex 1 does not have four");
+  expect_failure("a.off", "nOFF\n3\n0 0 0\n", "of the kind nOFF is not supported");
 }
 
 TEST_F(Soup_reader, reads_all_forms_of_ply) {
@@ -316,7 +316,7 @@ TEST_F(Soup_reader, reads_obj_with_continued_lines) {
   const std::string file = replaced(obj_file(), "f 1 2 4", "# not continued \\\nf 1 \\\n2\\\n4");
   expect_tetrahedron("continued.obj", file);
   expect_tetrahedron("crlf.obj", with_crlf(file));
-  expect_failure("a.obj", file + "f 1 2 x\n", ":12: 'x' is no corner");
+  expect_failure("a.obj", file + "f 1 2 x\n", ":12: 'x' is not a corner");
 }
 
 TEST_F(Soup_reader, keeps_all_corners_of_polygons) {
@@ -344,11 +344,11 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
                  ":1: OBJ has no element '?[2J" + std::string(36, 'x') + "...'");
   expect_failure("a.obj", good + "wrong\n", ":9: OBJ has no element 'wrong'");
   expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0"), ":2: a vertex without three");
-  expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0 0 red"), ":2: 'red' is no number");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2.9 4"), ":6: '2.9' is no corner");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 4 x"), ":6: 'x' is no corner");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/x 2 4"), ":6: '1/x' is no corner");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/1/1/1 2 4"), "is no corner");
+  expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0 0 red"), ":2: 'red' is not a number");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2.9 4"), ":6: '2.9' is not a corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 4 x"), ":6: 'x' is not a corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/x 2 4"), ":6: '1/x' is not a corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/1/1/1 2 4"), "is not a corner");
   expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 9"),
                  ":6: face 1 names vertex 9 of 4 (they count from 1)");
   expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 0"), "face 1 names vertex 0 of 4");
@@ -362,10 +362,11 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", "FFO 4 4 6\n" + std::string(points), ":1: an OFF file begins");
   expect_failure("a.off", "OFF BINARY\n", "binary");
   expect_failure("a.off", "OFF\n4 -4 6\n", ":2: expected the numbers");
-  expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0\n", ":4: vertex 1 has no three coordinates");
+  expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0\n",
+                 ":4: vertex 1 does not have three coordinates");
   expect_failure("a.off", "OFF\n4 4 6\n0 0 0\n1 0 0x\n", ":4: vertex 1");
-  expect_failure("a.off", replaced(off_file(), "1 0 0", "1 0 0 red"), ":4: 'red' is no number");
-  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 2 3 x"), ":9: 'x' is no number");
+  expect_failure("a.off", replaced(off_file(), "1 0 0", "1 0 0 red"), ":4: 'red' is not a number");
+  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 2 3 x"), ":9: 'x' is not a number");
   expect_failure("a.off", std::string("OFF\n4 4 6\n0 0 0\n"), "only 1 of 4 vertices");
   expect_failure("a.off", "OFF\n4 4 6\n" + std::string(points) + "3 0 2 1\n",
                  "only 1 of 4 faces; the file ends here");
@@ -381,7 +382,7 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", in_free_form + "more", ":9: 'more' follows the last of 4 faces");
   for(const char* number : {"0x10", "-0X1p3"})
     expect_failure("a.off", replaced(off_file(), "1 0 0", std::string("1 0 ") + number),
-                   ":4: vertex 1 has no three coordinates");
+                   ":4: vertex 1 does not have three coordinates");
   expect_failure("a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", "only 1 of 2000000000 vertices");
 }
 
@@ -470,9 +471,10 @@ TEST_F(Soup_reader, does_not_merge_points_that_are_nowhere) {
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_other_files) {
-  expect_failure("a.xyz", off_file(), "not supported; those that are: .off .obj .ply .stl");
-  expect_failure("a.ts", "GOCAD TSurf 1\n", "not supported");
-  expect_failure("no_extension", off_file(), "not supported");
+  expect_failure("a.xyz", off_file(),
+                 "does not name a supported format; those are: .off .obj .ply .stl");
+  expect_failure("a.ts", "GOCAD TSurf 1\n", "supported format");
+  expect_failure("no_extension", off_file(), "supported format");
   EXPECT_THROW(read_soup(folder_.path("none.off")), Failure);
   EXPECT_THROW(read_soup(folder_.path("none.ply")), Failure);
 }
