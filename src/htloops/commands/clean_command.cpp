@@ -120,6 +120,7 @@ void write_files(const Clean_command_options& options,
     const Vertex_properties properties =
         values_to_keep(file, facts, options.result_file, options.is_quiet);
     write_mesh(options.result_file, result.mesh, values_of(result, properties), "", facts);
+    show_note_on_unit(options, options.result_file, facts);
     if(!options.map_file.empty())
       write_map_json(options.map_file, sizes[0], sizes[1], result);
   }
