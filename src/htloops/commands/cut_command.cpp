@@ -148,8 +148,10 @@ void run(const Cut_command_options& options) {
   const double read_seconds = stopwatch.seconds();
   const Cut_answer answer = solve(read_mesh.mended, options);
   std::string words = words_of_cut(answer, read_seconds);
-  if(!options.charts_file.empty())
+  if(!options.charts_file.empty()) {
     words += write_charts(options.charts_file, read_mesh, answer.edges);
+    show_note_on_unit(options, options.charts_file, read_mesh.mended.facts);
+  }
   write_read_mesh(options, read_mesh.mended);
   if(!options.seams_file.empty())
     write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
