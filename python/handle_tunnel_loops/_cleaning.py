@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Literal, Optional, Tuple, Union, get_args
+import math
+from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union, get_args
 
 import numpy as np
 
 from . import _core
-from ._arguments import length_or_none, threads_of, whole, word
+from ._arguments import length_or_none, real_or_none, threads_of, whole, word
 from ._meshes import soup
 from ._waiting import computed
 
@@ -47,7 +48,8 @@ def clean(
         nearly at the same place. Lengths are in the unit of the coordinates, or a share of the diagonal of
         the box of the mesh: "3%"
     channels : how long around channels are, at most
-    floaters : the share of the volume below which a part is small: 0.0001 or "0.01%"
+    floaters : the share of the volume below which a part is small: 0.0001 or "0.01%"; small parts go if they
+        are, together, less than ten times that
     genus : the smallest handles go until so many are left
     noise_below : handles of which the thickness or the clear width is less go
     threads, progress : as for `loops`
@@ -64,11 +66,17 @@ def clean(
 
     Raises MeshError if no surface can be made of it.
     """
-    steps = [skip] if isinstance(skip, str) else list(skip)
+    skipped = _steps(skip)
     if genus is not None and noise_below is not None:
         raise ValueError("genus and noise_below cannot be given together")
+    for step, name, value in (("repair", "weld", weld), ("handles", "genus", genus),
+                              ("handles", "noise_below", noise_below)):
+        if step in skipped and value is not None:
+            raise ValueError(f"{name} is about a step that skip leaves out: {step!r}")
+    if channels is None:
+        raise TypeError('channels has to be a length; skip="channels" leaves them')
     chosen: Dict[str, Any] = dict(
-        skip=[word("skip", step, get_args(CleanStep)) for step in steps],
+        skip=skipped,
         weld=_length("weld", weld),
         channels=_length("channels", channels),
         floaters=_share(floaters),
@@ -78,21 +86,31 @@ def clean(
     return computed("clean", progress, _core.clean, *soup(V, F), chosen, threads_of(threads))
 
 
+def _steps(skip: Any) -> List[str]:
+    if skip is None:
+        raise TypeError("skip has to be steps, or () for none")
+    steps = [skip] if isinstance(skip, str) else list(skip)
+    return [word("skip", step, get_args(CleanStep)) for step in steps]
+
+
 # A length, and whether it is a share of the diagonal.
 def _length(name: str, value: Optional[Length]) -> Optional[Tuple[float, bool]]:
     length = length_or_none(name, value)
     if length is None:
         return None
-    if not length > 0:
-        raise ValueError(f"{name} is not positive")
+    if not 0 < length < math.inf:
+        raise ValueError(f"{name} is not positive, or not finite")
     return length, isinstance(value, str)
 
 
 def _share(value: Any) -> float:
-    try:
-        share = length_or_none("floaters", value)
-    except ValueError:
-        share = None
+    share = value
+    if isinstance(value, str):
+        try:
+            share = float(value[:-1]) / 100 if value.endswith("%") else math.nan
+        except ValueError:
+            share = math.nan
+    share = real_or_none("floaters", share)
     if share is None or not 0 <= share <= 1:
         raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.0001 or "0.01%"')
     return share

@@ -57,8 +57,7 @@ def test_all_at_once(genus_3):
     assert report["closed"] and is_closed(G) and report["after"]["parts"] == 2 and report["after"]["genus"] == 3
     assert volume(W, G) == pytest.approx(report["after"]["volume"]) and volume(W, G) > 0
     counts = {step["step"]: step["count"] for step in report["steps"]}
-    assert counts["orient"] == 2  # the inner one is to look into the hollow, before it goes
-    assert counts["floaters"] == counts["shells"] == 1 and counts["holes"] > 0
+    assert counts["orient"] == counts["floaters"] == counts["shells"] == 1 and counts["holes"] > 0
     check_origins(points, faces, W, G, face_origin, report)
     _, G, _, report = htl.clean(points, faces, skip=("floaters", "shells"), genus=1)
     assert report["after"]["parts"] == 4 and report["after"]["genus"] == 1 and is_closed(G)
@@ -87,5 +86,13 @@ def test_polygons_and_no_surfaces():
         htl.clean(V, quads, floaters=2.0)
     with pytest.raises(ValueError, match="together"):
         htl.clean(V, quads, genus=0, noise_below="1%")
-    with pytest.raises(ValueError, match="positive"):
-        htl.clean(V, quads, weld=0.0)
+    for wrong in (dict(weld=0.0), dict(channels=np.inf)):
+        with pytest.raises(ValueError, match="positive"):
+            htl.clean(V, quads, **wrong)
+    for wrong in (dict(skip="handles", genus=0), dict(skip=["repair"], weld="1%")):
+        with pytest.raises(ValueError, match="leaves out"):
+            htl.clean(V, quads, **wrong)
+    for wrong in (dict(channels=None), dict(skip=None)):
+        with pytest.raises(TypeError, match=next(iter(wrong))):
+            htl.clean(V, quads, **wrong)
+    assert htl.clean(V, quads, floaters="0%")[3]["closed"]

@@ -14,6 +14,7 @@ set(HTLOOPS_APP_SOURCES
   solve/throat_solver.cpp
   solve/removal_solver.cpp
   clean/crossings.cpp
+  clean/fates.cpp
   clean/holes.cpp
   clean/parts.cpp
   clean/soup_cleaning.cpp

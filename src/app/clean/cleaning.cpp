@@ -10,6 +10,7 @@
 #include "clean/cleaning.h"
 
 #include "clean/crossings.h"
+#include "clean/fates.h"
 #include "clean/holes.h"
 #include "clean/parts.h"
 #include "interrupt.h"
@@ -38,57 +39,18 @@ double absolute(const Relative_length& length, const Mesh& mesh) {
   return length.is_share ? length.value * diagonal_of(mesh) : length.value;
 }
 
-// Small parts are little of the volume, and of the area: what is thin and wide is no crumb. What
-// has a boundary that cannot be closed has no volume, and may be wider.
-class Floaters
-{
-public:
-  Floaters(const std::vector<Part>& parts, double share)
-      : share_(share) {
-    for(const Part& part : parts)
-      if(part.depth == 0) {
-        volume_ += part.volume;
-        area_ += part.area;
-        if(largest_ == nullptr || size_of(part) > size_of(*largest_))
-          largest_ = &part;
-      }
-  }
-
-  double volume() const { return volume_; }
-
-  bool is_small(const Part& part) const {
-    return &part != largest_ && part.depth == 0 &&
-           (is_scrap(part) ||
-            (part.volume < share_ * volume_ && part.area < std::pow(share_, 2. / 3.) * area_));
-  }
-
-  bool is_floater(const Part& part) const {
-    return is_small(part) && (!part.meets_others || is_scrap(part));
-  }
-
-private:
-  bool is_scrap(const Part& part) const {
-    constexpr double most = 0.05; // of the area
-    return share_ > 0. && !part.is_closed && part.area < most * area_;
-  }
-
-  static std::pair<double, double> size_of(const Part& part) { return {part.volume, part.area}; }
-
-  double share_, volume_ = 0., area_ = 0.;
-  const Part* largest_ = nullptr;
-};
-
-// Shells are hidden by what they lie inside of.
-bool is_shell(const Part& part) { return part.depth > 0; }
-
-std::size_t turn_over(Changeable_mesh& mesh, const Parts& parts) {
+// Of the parts for which that holds; how many there are.
+template <typename Predicate>
+std::size_t turn_over(Changeable_mesh& mesh, const Parts& parts, const Predicate& holds) {
+  std::vector<char> is_turned;
+  for(std::size_t i = 0; i < parts.all.size(); ++i)
+    is_turned.push_back(parts.all[i].is_turned() && holds(i));
   std::vector<Face> turned;
   for(const Face f : mesh.faces())
-    if(parts.part_of(f).is_turned())
+    if(is_turned[parts.of_face[f.idx()]])
       turned.push_back(f);
   PMP::reverse_face_orientations(turned, mesh);
-  return std::size_t(std::count_if(parts.all.begin(), parts.all.end(),
-                                   [](const Part& part) { return part.is_turned(); }));
+  return std::size_t(std::count(is_turned.begin(), is_turned.end(), 1));
 }
 
 Mesh_state state_of(const Changeable_mesh& mesh, const Crossings& crossings) {
@@ -166,6 +128,7 @@ private:
   void close_surface() {
     Changeable_copy copy(result_.mesh);
     result_.before = state_of(copy.mesh, {});
+    note_open_parts(copy.mesh);
     Clean_record holes{Clean_step::HOLES};
     if(options_.has(Clean_step::HOLES) && result_.before.boundaries > 0) {
       Closed_holes closed = close_holes(copy.mesh);
@@ -181,19 +144,33 @@ private:
     go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
   }
 
+  void note_open_parts(const Changeable_mesh& mesh) {
+    const Parts parts = measured_parts(mesh);
+    for(const Face f : mesh.faces())
+      was_open_.push_back(!parts.part_of(f).is_closed);
+  }
+
   void orient(Changeable_mesh& mesh) {
-    Clean_record record{Clean_step::ORIENT, turn_over(mesh, parts_of(mesh, crossings_))};
-    if(record.count > 0)
-      record.done = {counted(record.count, "part that was", "parts that were") +
-                     " inside out turned over"};
-    result_.records.push_back(record);
+    const Parts parts = parts_of(mesh, crossings_);
+    const auto is_outer = [&](std::size_t part) { return parts.all[part].depth == 0; };
+    result_.records.push_back({Clean_step::ORIENT});
+    note_turned(turn_over(mesh, parts, is_outer)); // others perhaps go
+  }
+
+  void note_turned(std::size_t number) {
+    for(Clean_record& record : result_.records)
+      if(record.step == Clean_step::ORIENT && number > 0) {
+        record.count += number;
+        record.done = {"turned over " + counted(record.count, "part that was", "parts that were") +
+                       " inside out"};
+      }
   }
 
   void describe(const Closed_holes& holes, Clean_record& record) {
     record.count = holes.closed;
     open_holes_ = holes.open;
     if(holes.closed > 0)
-      record.done = {counted(holes.closed, "boundary curve", "boundary curves") + " closed, " +
+      record.done = {"closed " + counted(holes.closed, "hole", "holes") + ", " +
                      formatted("%s%.4g around", holes.closed > 1 ? "up to " : "", holes.longest)};
   }
 
@@ -208,11 +185,16 @@ private:
     const Removal_answer answer = remove_channels(pairs, most);
     record.count = number_of_channels(answer.report);
     if(record.count > 0) {
-      record.done = {words_of_channels(answer.report)};
+      record.done = {"closed " + words_of_channels(answer.report)};
       keep_loops(pairs, answer.report);
       go_on_without_handles(answer);
     } else if(const std::string words = words_of_wider_channels(pairs, most); !words.empty())
       record.left = {words};
+    if(const std::size_t refused =
+           answer.report.refused.size() + answer.report.refused_necks.size();
+       refused > 0 && record.count == 0)
+      record.left.push_back(counted(refused, "short hole", "short holes") +
+                            " cannot be filled: nothing tells whether an inner wall is behind");
     result_.records.push_back(record);
   }
 
@@ -235,9 +217,9 @@ private:
       for(const Removed_handle& channel : *some)
         longest = (std::max)(longest, channel.length);
     const std::size_t number = number_of_channels(report), walls = report.removed_necks.size();
-    return counted(number, "channel", "channels") + " closed, " +
-           formatted("%s%.4g around, ", number > 1 ? "up to " : "", longest) + "so that " +
-           counted(walls, "inner wall is", "inner walls are") + " apart from the outer one";
+    return counted(number, "channel", "channels") + ", " +
+           formatted("%s%.4g around: ", number > 1 ? "up to " : "", longest) +
+           counted(walls, "inner wall comes", "inner walls come") + " off";
   }
 
   // What a person may mean who finds that nothing was done.
@@ -252,7 +234,7 @@ private:
     const double percent = 100. * times * most / diagonal_of(mesh_);
     return number_of_channels(report) == 0
                ? ""
-               : formatted("with --channels %.3g%%: ", percent) + words_of_channels(report);
+               : formatted("--channels %.3g%% would close ", percent) + words_of_channels(report);
   }
 
   // Of the mesh as it is.
@@ -278,20 +260,17 @@ private:
   void drop_parts() {
     Changeable_copy copy(result_.mesh);
     const Parts parts = parts_of(copy.mesh, crossings_);
-    const Floaters floaters(parts.all, options_.floater_share);
-    std::vector<Face_fate> fates;
-    for(const Part& part : parts.all)
-      fates.push_back(options_.has(Clean_step::FLOATERS) && floaters.is_floater(part)
-                          ? Face_fate::FLOATER
-                      : options_.has(Clean_step::SHELLS) && is_shell(part) ? Face_fate::SHELL
-                                                                           : Face_fate::KEPT);
+    const Part_fates decided = fates_of(parts, parts_that_were_open(parts), options_);
     if(options_.has(Clean_step::FLOATERS))
-      describe_floaters(parts, floaters, fates);
+      result_.records.push_back(decided.floaters);
     if(options_.has(Clean_step::SHELLS))
-      describe_shells(parts, fates);
-    const bool is_turned = options_.has(Clean_step::ORIENT) &&
-                           turn_over(copy.mesh, parts) > 0; // the walls of channels
-    if(take_out(copy.mesh, parts, fates) || is_turned)
+      result_.records.push_back(decided.shells);
+    std::size_t turned = 0;
+    if(options_.has(Clean_step::ORIENT))
+      turned = turn_over(copy.mesh, parts,
+                         [&](std::size_t part) { return decided.fates[part] == Face_fate::KEPT; });
+    note_turned(turned);
+    if(take_out(copy.mesh, parts, decided.fates) || turned > 0)
       go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
     result_.after = state_of(copy.mesh, crossings_);
     note_open_holes();
@@ -310,39 +289,12 @@ private:
           record.left.push_back(hole.why);
   }
 
-  void describe_floaters(const Parts& parts,
-                         const Floaters& floaters,
-                         const std::vector<Face_fate>& fates) {
-    Clean_record record{Clean_step::FLOATERS};
-    double volume = 0.;
-    std::size_t touching = 0;
-    for(std::size_t i = 0; i < parts.all.size(); ++i)
-      if(fates[i] == Face_fate::FLOATER) {
-        ++record.count;
-        volume += parts.all[i].volume;
-      } else if(floaters.is_small(parts.all[i]))
-        ++touching;
-    if(record.count > 0)
-      record.done = {counted(record.count, "small part", "small parts") + " dropped, " +
-                     formatted("%.2g%% of the volume", 100. * volume / floaters.volume())};
-    if(touching > 0)
-      record.left = {counted(touching, "small part that touches", "small parts that touch") +
-                     " others"};
-    result_.records.push_back(record);
-  }
-
-  void describe_shells(const Parts& parts, const std::vector<Face_fate>& fates) {
-    Clean_record record{Clean_step::SHELLS};
-    double volume = 0.;
-    for(std::size_t i = 0; i < parts.all.size(); ++i)
-      if(fates[i] == Face_fate::SHELL) {
-        ++record.count;
-        volume += parts.all[i].depth == 1 ? parts.all[i].volume : 0.;
-      }
-    if(record.count > 0)
-      record.done = {counted(record.count, "shell that lies", "shells that lie") + " inside of " +
-                     formatted("others dropped: %.4g of volume is solid now", volume)};
-    result_.records.push_back(record);
+  std::vector<char> parts_that_were_open(const Parts& parts) const {
+    std::vector<char> were_open(parts.all.size(), 0);
+    for(std::size_t f = 0; f < result_.face_parents.size(); ++f)
+      if(const std::int64_t parent = result_.face_parents[f]; parent != nothing_before)
+        were_open[parts.of_face[f]] |= was_open_[std::size_t(parent)];
+    return were_open;
   }
 
   // Whether anything was there that goes.
@@ -382,7 +334,7 @@ private:
     const Removal_answer answer = remove_handles(result_.mesh, pairs, wanted, progress_);
     record.count = answer.report.removed.size();
     if(record.count > 0)
-      record.done = {counted(record.count, "handle", "handles") + " removed, " +
+      record.done = {"removed " + counted(record.count, "handle", "handles") + ", " +
                      words_of_handles(answer.report)};
     for(const Refused_handle& refused : answer.report.refused)
       record.left.push_back(formatted("a handle %.4g around: ", refused.length) + refused.reason);
@@ -432,7 +384,8 @@ private:
   const Clean_options& options_;
   Progress& progress_;
   Cleaned_mesh result_;
-  Crossings crossings_; // of the mesh as it is
+  Crossings crossings_;        // of the mesh as it is
+  std::vector<char> was_open_; // by face of the mesh, whether its part had a boundary
   std::vector<Open_hole> open_holes_;
   std::optional<Pairs> loops_;
 };

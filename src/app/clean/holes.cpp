@@ -45,7 +45,7 @@ public:
 
   // Of least area, or, once that does not fit, as smooth as the surface around it.
   void make(std::size_t curve, Border border, bool is_smooth) {
-    constexpr std::size_t most_edges = 1000;
+    constexpr std::size_t most_edges = 300; // of a cubic search
     const auto edges = CGAL::halfedges_around_face(border, mesh_);
     const bool is_long = std::size_t(std::distance(edges.begin(), edges.end())) > most_edges;
     if(caps_.size() <= curve)
@@ -123,13 +123,14 @@ void drop_removed(const Changeable_mesh& mesh, Pairs_of_faces& pairs) {
               pairs.end());
 }
 
-std::string words_of(const Changeable_mesh& mesh, Border border) {
+std::string words_of(const Changeable_mesh& mesh, Border border, bool has_crossed) {
   const auto& p = mesh.point(mesh.target(border));
   const auto edges = CGAL::halfedges_around_face(border, mesh);
   return "a boundary curve of " +
          counted(std::size_t(std::distance(edges.begin(), edges.end())), "edge", "edges") +
-         formatted(", %.4g around, at (%.4g, %.4g, %.4g): its cap would cross the surface",
-                   PMP::face_border_length(border, mesh), p.x(), p.y(), p.z());
+         formatted(", %.4g around, at (%.4g, %.4g, %.4g): ", PMP::face_border_length(border, mesh),
+                   p.x(), p.y(), p.z()) +
+         (has_crossed ? "its cap would cross the surface" : "no cap was found for it");
 }
 
 } // namespace
@@ -144,7 +145,7 @@ Closed_holes close_holes(Changeable_mesh& mesh) {
   for(const Border border : borders)
     lengths.push_back(PMP::face_border_length(border, mesh));
   Caps caps(mesh);
-  std::vector<char> is_open(borders.size(), 1);
+  std::vector<char> is_open(borders.size(), 1), has_crossed(borders.size(), 0);
   for(const bool is_smooth : {false, true}) {
     for(std::size_t i = 0; i < borders.size(); ++i)
       if(is_open[i]) {
@@ -154,9 +155,10 @@ Closed_holes close_holes(Changeable_mesh& mesh) {
     holes.crossings = crossings_of(mesh);
     is_open = crossing_caps(caps, borders.size(), holes.crossings.crossing);
     for(std::size_t i = 0; i < borders.size(); ++i)
-      if(is_open[i])
+      if(is_open[i]) {
         caps.take_out(i);
-      else if(caps[i].empty())
+        has_crossed[i] = 1;
+      } else if(caps[i].empty())
         is_open[i] = 1;
       else
         caps.become_part_of_surface(i);
@@ -168,7 +170,7 @@ Closed_holes close_holes(Changeable_mesh& mesh) {
   drop_removed(mesh, holes.crossings.touching);
   for(std::size_t i = 0; i < borders.size(); ++i)
     if(is_open[i])
-      holes.open.push_back({mesh.target(borders[i]), words_of(mesh, borders[i])});
+      holes.open.push_back({mesh.target(borders[i]), words_of(mesh, borders[i], has_crossed[i])});
     else {
       ++holes.closed;
       holes.longest = (std::max)(holes.longest, lengths[i]);

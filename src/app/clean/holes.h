@@ -40,7 +40,7 @@ Closes boundary curves by triangles between their vertices, of least area; those
 exactly there. Where such a cap would cross the surface or another cap, a smooth one with vertices
 of its own is tried; where that does, too, the curve stays as it is: the mesh has the crossings that
 it had before, and no other ones. Near linear in the size of the mesh; for each curve, quadratic in
-the number of its edges, or cubic, up to a thousand, where the first way fails.
+the number of its edges, or cubic, up to 300, where the first way fails.
 */
 Closed_holes close_holes(Changeable_mesh& mesh);
 

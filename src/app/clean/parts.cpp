@@ -166,10 +166,13 @@ void find_depths(const Changeable_mesh& mesh,
       if(crossing.count(std::minmax(i, j)) == 0)
         for(const auto v : vertices[j]) // those that touch the other part do not tell
           if(const CGAL::Bounded_side where = side(mesh.point(v)); where != CGAL::ON_BOUNDARY) {
-            parts.all[j].depth += where == CGAL::ON_BOUNDED_SIDE;
+            if(where == CGAL::ON_BOUNDED_SIDE)
+              parts.all[j].around.push_back(i);
             break;
           }
   }
+  for(Part& part : parts.all)
+    part.depth = part.around.size();
 }
 
 } // namespace

@@ -34,6 +34,7 @@ struct Part
   bool is_closed = true;
   bool meets_others = false; ///< crosses or touches them
   std::size_t depth = 0;     ///< how many others it lies inside of, crossing none of them
+  std::vector<std::uint32_t> around = {}; ///< which these are
 
   /// whether its faces look to where the material is not.
   bool is_turned() const { return orientation == (depth % 2 == 0 ? -1 : 1); }

@@ -92,8 +92,9 @@ Cleaned_soup clean(Soup soup,
                    const std::optional<Relative_length>& weld,
                    Progress& progress) {
   const Stopwatch stopwatch;
+  const std::size_t vertices = soup.points.size(), faces = soup.faces.size();
   Soup_as_mesh made = mesh_for_cleaning(std::move(soup), options, weld);
-  Cleaned_soup result{clean(made.mesh, options, progress), std::move(made.mesh)};
+  Cleaned_soup result{clean(made.mesh, options, progress), std::move(made.mesh), vertices, faces};
   const auto trace = [](Origins& origins, const auto& in_file) {
     for(std::int64_t& origin : origins)
       if(origin != nothing_before)

@@ -38,6 +38,7 @@ Soup_as_mesh mesh_for_cleaning(Soup soup,
 struct Cleaned_soup : Cleaned_mesh
 {
   Mesh mended; ///< as it was before the steps that need a mesh
+  std::size_t vertices_in_file, faces_in_file;
 };
 
 /// cleans a soup; numbers of what was before are those of the soup.

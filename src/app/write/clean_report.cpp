@@ -13,6 +13,7 @@
 #include "write/Json_writer.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -58,18 +59,24 @@ std::string words_of(const Mesh_state& state) {
               : ", " + counted(state.crossings, "pair of faces crosses", "pairs of faces cross"));
 }
 
-std::string table_of_cleaning(const Cleaned_mesh& cleaned) {
-  std::string text = "before      " + words_of(cleaned.before) + "\n";
+// What was read comes first, then what the repair did, then the mesh that it is, and so on.
+std::string table_of_cleaning(const Cleaned_soup& cleaned) {
+  std::string text = "file        " + counted(cleaned.faces_in_file, "face", "faces") + ", " +
+                     counted(cleaned.vertices_in_file, "vertex", "vertices") + "\n";
+  bool is_mesh = false;
   for(const Clean_record& record : cleaned.records) {
+    if(record.step != Clean_step::REPAIR && !std::exchange(is_mesh, true))
+      text += "surface     " + words_of(cleaned.before) + "\n";
     text += lines(name_of(record.step), "", record.done);
     text += lines(record.done.empty() ? name_of(record.step) : "", "left: ", record.left);
   }
-  return text + "after       " + words_of(cleaned.after) + "\n";
+  return text + "result      " + words_of(cleaned.after) + "\n";
 }
 
-void write_clean_json(const std::string& target, const Cleaned_mesh& cleaned) {
+void write_clean_json(const std::string& target, const Cleaned_soup& cleaned) {
   Json_writer out(target);
   out.member("format", "htloops-clean/1");
+  out.member("input", {{"vertices", cleaned.vertices_in_file}, {"faces", cleaned.faces_in_file}});
   out.member("before", json_of(cleaned.before));
   out.array("steps", cleaned.records, [](const Clean_record& record) { return json_of(record); });
   out.member("after", json_of(cleaned.after));

@@ -10,7 +10,7 @@
 #ifndef HTLOOPS_CLEAN_REPORT_H
 #define HTLOOPS_CLEAN_REPORT_H
 
-#include "clean/cleaning.h"
+#include "clean/soup_cleaning.h"
 
 #include <string>
 
@@ -20,10 +20,10 @@ namespace htloops {
 std::string words_of(const Mesh_state& state);
 
 /// what each step did and left, for a person; what it did not do is left out.
-std::string table_of_cleaning(const Cleaned_mesh& cleaned);
+std::string table_of_cleaning(const Cleaned_soup& cleaned);
 
 /// writes the same in the format "htloops-clean/1"; the name "-" is the standard output.
-void write_clean_json(const std::string& target, const Cleaned_mesh& cleaned);
+void write_clean_json(const std::string& target, const Cleaned_soup& cleaned);
 
 } // namespace htloops
 

@@ -21,9 +21,11 @@
 #include "commands/vertex_values.h"
 #include "terminal/terminal.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -40,8 +42,7 @@ struct Clean_command_options : Common_options
   std::string result_file;
   std::string map_file;
   std::vector<std::string> skipped;
-  std::string channels = "3%";
-  std::string floaters = "0.01%";
+  std::string channels, floaters; // empty: as by default
   std::optional<std::size_t> genus;
   std::string noise_below;
   bool is_dry_run = false;
@@ -74,15 +75,34 @@ Clean_options clean_options(const Clean_command_options& options) {
   const std::map<std::string, Clean_step> steps = steps_by_name();
   for(const std::string& name : options.skipped)
     result.steps.reset(static_cast<std::size_t>(steps.at(name)));
-  result.channel_length = *relative_length("--channels", options.channels);
-  result.floater_share = share_of(options.floaters);
+  if(const auto length = relative_length("--channels", options.channels))
+    result.channel_length = *length;
+  if(!options.floaters.empty())
+    result.floater_share = share_of(options.floaters);
   result.genus = options.genus;
   result.noise_below = relative_length("--noise-below", options.noise_below);
   result.number_of_threads = options.number_of_threads;
   return result;
 }
 
+// Who leaves a step out has nothing to say of it.
+void check_skipped(const Clean_command_options& options) {
+  const std::pair<const char*, bool> said[] = {{"--weld", options.remedies.weld.has_value()},
+                                               {"--channels", !options.channels.empty()},
+                                               {"--floaters", !options.floaters.empty()},
+                                               {"--genus", options.genus.has_value()},
+                                               {"--noise-below", !options.noise_below.empty()}};
+  const Clean_step steps[] = {Clean_step::REPAIR, Clean_step::CHANNELS, Clean_step::FLOATERS,
+                              Clean_step::HANDLES, Clean_step::HANDLES};
+  for(std::size_t i = 0; i < std::size(said); ++i)
+    if(said[i].second &&
+       std::count(options.skipped.begin(), options.skipped.end(), name_of(steps[i])) > 0)
+      throw wrong_usage(std::string(said[i].first) +
+                        " is about a step that --skip leaves out: " + name_of(steps[i]));
+}
+
 void check(const Clean_command_options& options) {
+  check_skipped(options);
   if(options.result_file.empty() && !options.is_dry_run)
     throw wrong_usage("OUT, after the mesh, says where the result goes; or --dry-run");
   check_mesh_format(options.result_file);
@@ -146,7 +166,8 @@ void run(const Clean_command_options& options) {
         table_of_cleaning(result) + words_of_unit(facts.unit) +
             formatted("%.2f s after %.2f s of reading\n", result.total_seconds, read_seconds) +
             (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
-        options.result_file == "-" || options.json_file == "-" || options.page_file == "-");
+        options.result_file == "-" || options.json_file == "-" || options.page_file == "-" ||
+            options.map_file == "-");
   if(!result.is_closed())
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
                   "the result is not closed: " +
@@ -192,11 +213,11 @@ void add_options(CLI::App& clean, Clean_command_options& options) {
       ->check(CLI::IsMember(steps_by_name()));
   add_weld_option(clean, options.remedies);
   add_length(clean, "--channels", options.channels,
-             "how long around channels are at most; %: of the diagonal of\nthe box; default: 3%");
+             "the largest circumference of a channel; %: of the diagonal of\nthe box; default: 3%");
   clean
       .add_option("--floaters", options.floaters,
-                  "how much of the volume a part has that is dropped, at most,\n"
-                  "in percent; default: 0.01%")
+                  "drop parts of less than this share of the volume, if they are\n"
+                  "together less than ten times that; default: 0.01%")
       ->option_text("P%");
   CLI::Option* genus = clean
                            .add_option("--genus", options.genus,

@@ -290,7 +290,9 @@ CLI::Option* add_part(CLI::App& command,
 
 CLI::Option*
 add_length(CLI::App& command, const char* name, std::string& length, const std::string& what) {
-  return command.add_option(name, length, what)->option_text("L|P%");
+  return command.add_option(name, length, what)
+      ->option_text("L|P%")
+      ->check([](const std::string& text) { return std::string(text.empty() ? "no length" : ""); });
 }
 
 void add_json_option(CLI::App& command, Common_options& options, const std::string& what) {

@@ -172,7 +172,7 @@ std::string words_of_length(const Remove_options& options,
 bool is_output_taken(const Remove_options& options) {
   return (options.result_file == "-" && !options.is_dry_run) ||
          options.is_mesh_on_standard_output() || options.json_file == "-" ||
-         options.page_file == "-" || options.csv_file == "-";
+         options.page_file == "-" || options.csv_file == "-" || options.map_file == "-";
 }
 
 std::string

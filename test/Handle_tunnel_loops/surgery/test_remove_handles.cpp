@@ -732,6 +732,20 @@ TEST(Channels_removal, LeavesWhatBoundsFromOutsideOnBothSides) {
   EXPECT_EQ(faces_by_points(mesh), before);
 }
 
+// A hollow in a ball with a bulb in it, on a stem: its walls face each other like those of a
+// channel, but along the loop around the stem they would be cut apart, and the bulb would float.
+TEST(Channels_removal, LeavesBridgesInTheHollow) {
+  Recipe hollow = recipe("hollow", 60000, 0);
+  hollow.request.necks = 1;
+  Soup ball = soup_of(recipe("sphere", 5120, 0));
+  for(auto& p : ball.points)
+    for(double& x : p)
+      x *= 4.;
+  Mesh mesh = mesh_of(generators::joined({ball, generators::reversed(soup_of(hollow))}));
+  EXPECT_EQ(remove_channels(mesh, 100.).removed_necks.size(), 0u);
+  EXPECT_EQ(number_of_components(mesh), 2u);
+}
+
 // One of them is too long: then the wall stays, and all others with it.
 TEST(Channels_removal, TakesAllOrNone) {
   Recipe hollow = recipe("hollow", 60000, 0);

@@ -193,6 +193,57 @@ TEST(Cleaning, drops_small_parts_that_touch_nothing) {
   EXPECT_EQ(cleaned(soup, coarse).after.parts, 2u);
 }
 
+// Many small parts are no crumbs: all of them stay, as nothing tells which are.
+TEST(Cleaning, keeps_small_parts_that_are_much_together) {
+  std::vector<Soup> balls;
+  for(int i = 0; i < 12; ++i)
+    for(int j = 0; j < 12; ++j)
+      balls.push_back(sphere(0.4, {double(i), double(j), 0.}, 80));
+  Clean_options options;
+  options.floater_share = 0.01;
+  const Cleaned_soup result = cleaned(generators::joined(balls), options);
+  EXPECT_EQ(result.after.parts, balls.size());
+  EXPECT_EQ(record_of(result, Clean_step::FLOATERS).left.size(), 1u);
+}
+
+// Sheets have no volume; little of them goes, much stays, and is named.
+TEST(Cleaning, drops_scraps_that_cannot_be_closed) {
+  for(const double size : {0.02, 3.}) {
+    Soup sheet;
+    sheet.points = {{2., 0., 0.}, {2. + size, 0., 0.}, {2., size, 0.}};
+    sheet.triangles = {{0, 1, 2}};
+    const Soup soup = generators::joined({sphere(1., {0., 0., 0.}, 1280), sheet});
+    const Cleaned_soup result = cleaned(soup);
+    EXPECT_EQ(result.is_closed(), size < 1.);
+    EXPECT_EQ(record_of(result, Clean_step::FLOATERS).count, size < 1. ? 1u : 0u);
+    EXPECT_EQ(record_of(result, Clean_step::HOLES).left.size(), size < 1. ? 0u : 1u);
+    for(const Clean_record& record : result.records)
+      for(const auto* texts : {&record.done, &record.left})
+        for(const std::string& text : *texts)
+          EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+  }
+}
+
+// Of a bowl without its rim both walls are closed by caps: one may not go as a shell in the other.
+TEST(Cleaning, keeps_walls_that_lack_their_rim) {
+  const auto bowl = [](double radius) {
+    Soup soup = sphere(radius, {0., 0., 0.}, 1280);
+    soup.triangles.erase(std::remove_if(soup.triangles.begin(), soup.triangles.end(),
+                                        [&](const auto& triangle) {
+                                          return std::any_of(
+                                              triangle.begin(), triangle.end(), [&](auto v) {
+                                                return soup.points[v][2] > 0.3 * radius;
+                                              });
+                                        }),
+                         soup.triangles.end());
+    return soup;
+  };
+  const Cleaned_soup result =
+      cleaned(generators::joined({bowl(1.), generators::reversed(bowl(0.9))}));
+  EXPECT_EQ(record_of(result, Clean_step::SHELLS).count, 0u);
+  EXPECT_EQ(record_of(result, Clean_step::SHELLS).left.size(), 1u);
+}
+
 // Thin and wide, it has no volume to speak of.
 TEST(Cleaning, keeps_small_volumes_of_large_area) {
   Soup plate = sphere(1., {0., 0., 3.}, 1280);

@@ -6,7 +6,7 @@
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
-#include "app/clean/cleaning.h"
+#include "app/clean/soup_cleaning.h"
 #include "app/solve/backends.h"
 #include "app/solve/cut_solver.h"
 #include "app/solve/details.h"
@@ -30,6 +30,7 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -294,6 +295,16 @@ TEST(Removal_schema, fits_what_is_written) {
                                    [](json& d) { d["genus_after"] = 0.5; }});
 }
 
+htloops::Soup as_read(const Mesh& mesh) {
+  htloops::Soup soup{mesh.points(), {}};
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    soup.add_face(
+        std::array{mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+  }
+  return soup;
+}
+
 TEST(Clean_schema, fits_what_is_written) {
   const Temporary_folder folder;
   const Schema schema("clean");
@@ -302,8 +313,9 @@ TEST(Clean_schema, fits_what_is_written) {
   json document;
   for(const bool do_close : {false, true}) {
     Clean_options options;
+    options.steps.reset(static_cast<std::size_t>(Clean_step::REPAIR));
     options.steps.set(static_cast<std::size_t>(Clean_step::HOLES), do_close);
-    write_clean_json(folder.path("a.json"), clean(mesh, options, told));
+    write_clean_json(folder.path("a.json"), clean(as_read(mesh), options, std::nullopt, told));
     document = json::parse(folder.read("a.json"));
     schema.expect_fits(document);
     EXPECT_TRUE(document["before"]["volume"].is_null());
@@ -316,6 +328,7 @@ TEST(Clean_schema, fits_what_is_written) {
   EXPECT_EQ(document["steps"].back()["left"].size(), 1u);
   schema.expect_refuses(document, {[](json& d) { d["format"] = "htloops-clean/2"; },
                                    [](json& d) { d.erase("after"); },
+                                   [](json& d) { d["input"].erase("faces"); },
                                    [](json& d) { d["before"].erase("volume"); },
                                    [](json& d) { d["after"]["crossings"] = -1; },
                                    [](json& d) { d["after"]["volume"] = "large"; },

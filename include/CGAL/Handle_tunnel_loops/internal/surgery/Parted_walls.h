@@ -28,9 +28,8 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
 Tells channels from other handles and necks that were removed. A channel leads through the material
-from an outer wall to an inner one; once all channels between these are closed, the walls are pieces
-of their own, and the caps of each channel lie on both: on a piece that bounds from outside, and on
-one that bounds from inside, which is what the sign of the volume behind its faces says.
+from an outer wall to an inner one. Once all channels between them have been filled, the walls are
+pieces of the surface, one oriented outwards and one inwards, and each channel has a cap on both.
 */
 class Parted_walls
 {
@@ -56,6 +55,8 @@ public:
 
   /// whether a handle or neck that was removed was a channel.
   bool was_channel(const Removal_task& task) {
+    if(task.choices[task.choice].type != Loop_type::TUNNEL)
+      return false; // a bridge in the hollow was cut
     const auto end = ends_.find(task.end_of_faces);
     bool is_outside = false, is_inside = false;
     for(Index f = *std::prev(end); f < *end; ++f)

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "clean/fates.h"
+
+#include "words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace htloops {
+namespace {
+
+// How much some parts are, or all that lie inside of no other one.
+struct Amount
+{
+  std::size_t number = 0;
+  double volume = 0., area = 0.;
+
+  void add(const Part& part) {
+    ++number;
+    volume += part.volume;
+    area += part.area;
+  }
+
+  bool is_less(double share, const Amount& whole) const {
+    return volume < share * whole.volume && area < std::pow(share, 2. / 3.) * whole.area;
+  }
+
+  std::string words(const Amount& whole) const {
+    return formatted("%.2g%% of the volume and %.2g%% of the area",
+                     whole.volume > 0. ? 100. * volume / whole.volume : 0.,
+                     100. * area / whole.area);
+  }
+};
+
+class Judge_of_parts
+{
+public:
+  Judge_of_parts(const Parts& parts,
+                 const std::vector<char>& was_open,
+                 const Clean_options& options)
+      : parts_(parts.all)
+      , was_open_(was_open)
+      , options_(options) {
+    result_.fates.assign(parts_.size(), Face_fate::KEPT);
+    for(const Part& part : parts_)
+      if(part.depth == 0) {
+        whole_.add(part);
+        if(largest_ == nullptr || size_of(part) > size_of(*largest_))
+          largest_ = &part;
+      }
+  }
+
+  Part_fates operator()() {
+    if(options_.has(Clean_step::SHELLS))
+      drop_shells();
+    if(options_.has(Clean_step::FLOATERS) && options_.floater_share > 0.) {
+      drop_crumbs();
+      drop_scraps();
+    }
+    return std::move(result_);
+  }
+
+private:
+  using Numbers = std::vector<std::size_t>;
+
+  static std::pair<double, double> size_of(const Part& part) { return {part.volume, part.area}; }
+
+  // Numbers of parts for which that holds, inside of no other part, and but for the largest.
+  template <typename Predicate> Numbers outer_parts(const Predicate& holds) const {
+    Numbers numbers;
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      if(parts_[i].depth == 0 && &parts_[i] != largest_ && holds(parts_[i]))
+        numbers.push_back(i);
+    return numbers;
+  }
+
+  Amount amount_of(const Numbers& numbers) const {
+    Amount amount;
+    for(const std::size_t i : numbers)
+      amount.add(parts_[i]);
+    return amount;
+  }
+
+  void drop(const Numbers& numbers, Face_fate fate, Clean_record& record) {
+    record.count += numbers.size();
+    for(const std::size_t i : numbers)
+      result_.fates[i] = fate;
+  }
+
+  void drop_crumbs() {
+    constexpr double together = 10.;
+    const double share = options_.floater_share;
+    const auto is_small = [&](const Part& part) {
+      Amount amount;
+      amount.add(part);
+      return part.is_closed && amount.is_less(share, whole_);
+    };
+    const Numbers crumbs =
+        outer_parts([&](const Part& part) { return is_small(part) && !part.meets_others; });
+    const std::size_t meeting = outer_parts(is_small).size() - crumbs.size();
+    if(const Amount amount = amount_of(crumbs); amount.number > 0) {
+      const std::string words =
+          counted(amount.number, "small part", "small parts") + ", " + amount.words(whole_);
+      if(amount.is_less(together * share, whole_)) {
+        drop(crumbs, Face_fate::FLOATER, result_.floaters);
+        result_.floaters.done.push_back("dropped " + words);
+      } else
+        result_.floaters.left.push_back(words + ": too much for crumbs");
+    }
+    if(meeting > 0)
+      result_.floaters.left.push_back(
+          counted(meeting, "small part that meets", "small parts that meet") + " others");
+  }
+
+  void drop_scraps() {
+    constexpr double most = 0.01; // of the area
+    const Numbers scraps = outer_parts([](const Part& part) { return !part.is_closed; });
+    const Amount amount = amount_of(scraps);
+    if(amount.number == 0)
+      return;
+    const std::string words = counted(amount.number, "part", "parts") +
+                              " with a boundary that cannot be closed" +
+                              formatted(", %.2g%% of the area", 100. * amount.area / whole_.area);
+    if(amount.area < most * whole_.area) {
+      drop(scraps, Face_fate::FLOATER, result_.floaters);
+      result_.floaters.done.push_back("dropped " + words);
+    } else
+      result_.floaters.left.push_back(words);
+  }
+
+  // Of large parts, a wall of a bowl is not hidden by the other one.
+  bool is_hidden(std::size_t part) const {
+    constexpr double large = 0.01; // of the area
+    const bool is_doubtful = was_open_[part] && parts_[part].area >= large * whole_.area;
+    const std::vector<std::uint32_t>& around = parts_[part].around;
+    return std::any_of(around.begin(), around.end(),
+                       [&](std::uint32_t outer) { return !is_doubtful || !was_open_[outer]; });
+  }
+
+  void drop_shells() {
+    Numbers hidden;
+    std::size_t in_doubt = 0;
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      if(is_hidden(i))
+        hidden.push_back(i);
+      else if(parts_[i].depth > 0)
+        ++in_doubt;
+    drop(hidden, Face_fate::SHELL, result_.shells);
+    if(!hidden.empty())
+      result_.shells.done = {"dropped " + counted(hidden.size(), "shell inside another part",
+                                                  "shells inside other parts")};
+    if(in_doubt > 0)
+      result_.shells.left = {
+          counted(in_doubt, "part", "parts") +
+          " inside another one, where both had a boundary: perhaps one wall without its rim"};
+  }
+
+  const std::vector<Part>& parts_;
+  const std::vector<char>& was_open_;
+  const Clean_options& options_;
+  const Part* largest_ = nullptr;
+  Amount whole_;
+  Part_fates result_;
+};
+
+} // namespace
+
+Part_fates
+fates_of(const Parts& parts, const std::vector<char>& was_open, const Clean_options& options) {
+  return Judge_of_parts(parts, was_open, options)();
+}
+
+} // namespace htloops
