@@ -25,7 +25,7 @@ def clean(
     skip: Union[CleanStep, Iterable[CleanStep]] = (),
     weld: Optional[Length] = None,
     channels: Length = "3%",
-    floaters: Union[float, str] = "0.01%",
+    floaters: Union[float, str] = "0.02%",
     genus: Optional[int] = None,
     noise_below: Optional[Length] = None,
     threads: Optional[int] = 0,
@@ -48,8 +48,8 @@ def clean(
         nearly at the same place. Lengths are in the unit of the coordinates, or a share of the diagonal of
         the box of the mesh: "3%"
     channels : how long around channels are, at most
-    floaters : the share of the volume below which a part is small: 0.0001 or "0.01%"; small parts go if they
-        are, together, less than ten times that
+    floaters : the share of the volume below which a part is small: 0.0002 or "0.02%"; small parts go if they
+        are, together, less than five times that
     genus : the smallest handles go until so many are left
     noise_below : handles of which the thickness or the clear width is less go
     threads, progress : as for `loops`
@@ -112,5 +112,5 @@ def _share(value: Any) -> float:
             share = math.nan
     share = real_or_none("floaters", share)
     if share is None or not 0 <= share <= 1:
-        raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.0001 or "0.01%"')
+        raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.0002 or "0.02%"')
     return share

@@ -98,7 +98,7 @@ private:
   }
 
   void drop_crumbs() {
-    constexpr double together = 10.;
+    constexpr double together = 5.;
     const double share = options_.floater_share;
     const auto is_small = [&](const Part& part) {
       Amount amount;

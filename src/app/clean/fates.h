@@ -27,7 +27,7 @@ struct Part_fates
 /*!
 Decides which parts go. Small parts: each less than a share of the volume, and than that to the
 power of 2/3 of the area, as what is thin and wide is no crumb; those that meet no other one; and
-all of them if they are, together, less than ten times as much, else none. What has a boundary that
+all of them if they are, together, less than five times as much, else none. What has a boundary that
 could not be closed has no volume: such parts go if they are, together, less than a hundredth of the
 area. Shells: what lies inside of another part; but where both had a boundary, and the inner one is
 no less than that of the area, they may be one wall, as of a bowl that lacks its rim. The largest

@@ -60,13 +60,13 @@ std::optional<Relative_length> relative_length(const char* option, const std::st
   return length ? std::optional(Relative_length{*length, text.back() == '%'}) : std::nullopt;
 }
 
-// "0.01%"; none is small if it is 0%.
+// "0.02%"; none is small if it is 0%.
 double share_of(const std::string& text) {
   double percent = -1.;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), percent);
   if(error != std::errc() || end + 1 != text.data() + text.size() || *end != '%' ||
      !(percent >= 0. && percent <= 100.))
-    throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.01%");
+    throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.02%");
   return percent / 100.;
 }
 
@@ -217,7 +217,7 @@ void add_options(CLI::App& clean, Clean_command_options& options) {
   clean
       .add_option("--floaters", options.floaters,
                   "drop parts of less than this share of the volume, if they are\n"
-                  "together less than ten times that; default: 0.01%")
+                  "together less than five times that; default: 0.02%")
       ->option_text("P%");
   CLI::Option* genus = clean
                            .add_option("--genus", options.genus,
