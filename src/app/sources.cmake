@@ -13,6 +13,7 @@ set(HTLOOPS_APP_SOURCES
   solve/skeleton_solver.cpp
   solve/throat_solver.cpp
   solve/removal_solver.cpp
+  clean/copies.cpp
   clean/crossings.cpp
   clean/fates.cpp
   clean/holes.cpp

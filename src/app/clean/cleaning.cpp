@@ -9,6 +9,7 @@
 
 #include "clean/cleaning.h"
 
+#include "clean/copies.h"
 #include "clean/crossings.h"
 #include "clean/fates.h"
 #include "clean/holes.h"
@@ -260,7 +261,8 @@ private:
   void drop_parts() {
     Changeable_copy copy(result_.mesh);
     const Parts parts = parts_of(copy.mesh, crossings_);
-    const Part_fates decided = fates_of(parts, parts_that_were_open(parts), options_);
+    const Part_fates decided =
+        fates_of(parts, find_copies(copy.mesh, parts), parts_that_were_open(parts), options_);
     if(options_.has(Clean_step::FLOATERS))
       result_.records.push_back(decided.floaters);
     if(options_.has(Clean_step::SHELLS))

@@ -46,14 +46,16 @@ class Judge_of_parts
 {
 public:
   Judge_of_parts(const Parts& parts,
+                 const std::vector<char>& is_copy,
                  const std::vector<char>& was_open,
                  const Clean_options& options)
       : parts_(parts.all)
+      , is_copy_(is_copy)
       , was_open_(was_open)
       , options_(options) {
     result_.fates.assign(parts_.size(), Face_fate::KEPT);
-    for(const Part& part : parts_)
-      if(part.depth == 0) {
+    for(std::size_t i = 0; i < parts_.size(); ++i)
+      if(const Part& part = parts_[i]; part.depth == 0 && !is_copy_[i]) {
         whole_.add(part);
         if(largest_ == nullptr || size_of(part) > size_of(*largest_))
           largest_ = &part;
@@ -79,7 +81,7 @@ private:
   template <typename Predicate> Numbers outer_parts(const Predicate& holds) const {
     Numbers numbers;
     for(std::size_t i = 0; i < parts_.size(); ++i)
-      if(parts_[i].depth == 0 && &parts_[i] != largest_ && holds(parts_[i]))
+      if(parts_[i].depth == 0 && !is_copy_[i] && &parts_[i] != largest_ && holds(parts_[i]))
         numbers.push_back(i);
     return numbers;
   }
@@ -148,10 +150,12 @@ private:
   }
 
   void drop_shells() {
-    Numbers hidden;
+    Numbers hidden, copies;
     std::size_t in_doubt = 0;
     for(std::size_t i = 0; i < parts_.size(); ++i)
-      if(is_hidden(i))
+      if(is_copy_[i])
+        copies.push_back(i);
+      else if(is_hidden(i))
         hidden.push_back(i);
       else if(parts_[i].depth > 0)
         ++in_doubt;
@@ -159,6 +163,10 @@ private:
     if(!hidden.empty())
       result_.shells.done = {"dropped " + counted(hidden.size(), "shell inside another part",
                                                   "shells inside other parts")};
+    drop(copies, Face_fate::SHELL, result_.shells);
+    if(!copies.empty())
+      result_.shells.done.push_back("dropped " + counted(copies.size(), "copy", "copies") +
+                                    " of other parts at the same place");
     if(in_doubt > 0)
       result_.shells.left = {
           counted(in_doubt, "part", "parts") +
@@ -166,7 +174,7 @@ private:
   }
 
   const std::vector<Part>& parts_;
-  const std::vector<char>& was_open_;
+  const std::vector<char>&is_copy_, &was_open_;
   const Clean_options& options_;
   const Part* largest_ = nullptr;
   Amount whole_;
@@ -175,9 +183,11 @@ private:
 
 } // namespace
 
-Part_fates
-fates_of(const Parts& parts, const std::vector<char>& was_open, const Clean_options& options) {
-  return Judge_of_parts(parts, was_open, options)();
+Part_fates fates_of(const Parts& parts,
+                    const std::vector<char>& is_copy,
+                    const std::vector<char>& was_open,
+                    const Clean_options& options) {
+  return Judge_of_parts(parts, is_copy, was_open, options)();
 }
 
 } // namespace htloops

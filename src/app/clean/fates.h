@@ -32,10 +32,13 @@ could not be closed has no volume: such parts go if they are, together, less tha
 area. Shells: what lies inside of another part; but where both had a boundary, and the inner one is
 no less than that of the area, they may be one wall, as of a bowl that lacks its rim. The largest
 part stays.
+\param is_copy by part, whether it is one of another, at the same place: these go as shells do
 \param was_open by part, whether it had a boundary before that was closed
 */
-Part_fates
-fates_of(const Parts& parts, const std::vector<char>& was_open, const Clean_options& options);
+Part_fates fates_of(const Parts& parts,
+                    const std::vector<char>& is_copy,
+                    const std::vector<char>& was_open,
+                    const Clean_options& options);
 
 } // namespace htloops
 

@@ -272,6 +272,20 @@ TEST(Cleaning, drops_what_is_inside_whatever_its_orientation) {
   }
 }
 
+TEST(Cleaning, drops_copies_at_the_same_place) {
+  const Soup ball = sphere(1., {0., 0., 0.}, 1280);
+  Soup shuffled = generators::reversed(ball);
+  std::reverse(shuffled.triangles.begin(), shuffled.triangles.end());
+  for(const Soup& copy : {ball, shuffled}) {
+    const Soup soup = generators::joined({ball, copy, sphere(1., {3., 0., 0.}, 1280)});
+    const Cleaned_soup result = cleaned(soup);
+    expect_solid(soup, result);
+    EXPECT_EQ(record_of(result, Clean_step::SHELLS).count, 1u);
+    EXPECT_EQ(result.after.parts, 2u);
+    EXPECT_EQ(result.after.crossings, 0u);
+  }
+}
+
 TEST(Cleaning, turns_over_what_is_inside_out) {
   const Soup soup =
       generators::joined({generators::reversed(recipe("torus", 600, 1)), sphere(1., {9., 0., 0.})});
