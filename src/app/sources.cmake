@@ -16,6 +16,7 @@ set(HTLOOPS_APP_SOURCES
   clean/copies.cpp
   clean/crossings.cpp
   clean/fates.cpp
+  clean/handle_steps.cpp
   clean/holes.cpp
   clean/parts.cpp
   clean/soup_cleaning.cpp

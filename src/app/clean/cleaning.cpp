@@ -12,12 +12,12 @@
 #include "clean/copies.h"
 #include "clean/crossings.h"
 #include "clean/fates.h"
+#include "clean/handle_steps.h"
 #include "clean/holes.h"
 #include "clean/parts.h"
 #include "interrupt.h"
 #include "solve/backends.h"
 #include "solve/certification.h"
-#include "solve/details.h"
 #include "words.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -74,11 +74,6 @@ Mesh_state state_of(const Changeable_mesh& mesh, const Crossings& crossings) {
   return state;
 }
 
-std::string words_of_handles(const Removal_report& report) {
-  return "genus " + std::to_string(report.genus_before) + " -> " +
-         std::to_string(report.genus_after);
-}
-
 class Cleaner
 {
 public:
@@ -94,17 +89,24 @@ public:
     const Stopwatch stopwatch;
     progress_.start("clean");
     close_surface();
-    if(options_.has(Clean_step::CHANNELS))
-      close_channels();
+    const double longest = absolute(options_.channel_length, mesh_);
+    if(options_.has(Clean_step::CHANNELS) && longest > 0.) // or all points are one
+      take(close_channels(result_.mesh, loops(), longest, options_, progress_));
     drop_parts();
     if(options_.has(Clean_step::HANDLES))
-      remove_small_handles();
+      take(remove_small_handles(result_.mesh, loops(), noise(), options_, progress_));
     find_replaced_faces();
+    result_.after = state_of(Changeable_copy(result_.mesh).mesh, crossings_);
     result_.total_seconds = stopwatch.seconds();
     return std::move(result_);
   }
 
 private:
+  std::optional<double> noise() const {
+    return options_.noise_below ? std::optional(absolute(*options_.noise_below, mesh_))
+                                : std::nullopt;
+  }
+
   void go_on_with(const Changed_mesh& changed) {
     loops_.reset();
     static_cast<Changed_mesh&>(result_) = composed(result_, changed);
@@ -175,67 +177,14 @@ private:
                      formatted("%s%.4g around", holes.closed > 1 ? "up to " : "", holes.longest)};
   }
 
-  // ---- channels
+  // ---- what needs loops
 
-  void close_channels() {
-    Clean_record record{Clean_step::CHANNELS};
-    const double most = absolute(options_.channel_length, mesh_);
-    if(!(most > 0.))
-      return; // all points are one
-    const Pairs& pairs = loops();
-    const Removal_answer answer = remove_channels(pairs, most);
-    record.count = number_of_channels(answer.report);
-    if(record.count > 0) {
-      record.done = {"closed " + words_of_channels(answer.report)};
-      keep_loops(pairs, answer.report);
-      go_on_without_handles(answer);
-    } else if(const std::string words = words_of_wider_channels(pairs, most); !words.empty())
-      record.left = {words};
-    if(const std::size_t refused =
-           answer.report.refused.size() + answer.report.refused_necks.size();
-       refused > 0 && record.count == 0)
-      record.left.push_back(counted(refused, "short hole", "short holes") +
-                            " cannot be filled: nothing tells whether an inner wall is behind");
-    result_.records.push_back(record);
-  }
-
-  Removal_answer remove_channels(const Pairs& pairs, double most) {
-    Removal_options wanted;
-    wanted.number_of_threads = options_.number_of_threads;
-    wanted.maximal_neck_length = most;
-    wanted.only_channels = true;
-    return remove_handles(result_.mesh, pairs, wanted, progress_);
-  }
-
-  static std::size_t number_of_channels(const Removal_report& report) {
-    return report.removed.size() + report.removed_necks.size();
-  }
-
-  // The last one of those that lead to a wall is a neck.
-  static std::string words_of_channels(const Removal_report& report) {
-    double longest = 0.;
-    for(const auto* some : {&report.removed, &report.removed_necks})
-      for(const Removed_handle& channel : *some)
-        longest = (std::max)(longest, channel.length);
-    const std::size_t number = number_of_channels(report), walls = report.removed_necks.size();
-    return counted(number, "channel", "channels") + ", " +
-           formatted("%s%.4g around: ", number > 1 ? "up to " : "", longest) +
-           counted(walls, "inner wall comes", "inner walls come") + " off";
-  }
-
-  // What a person may mean who finds that nothing was done.
-  std::string words_of_wider_channels(const Pairs& pairs, double most) {
-    constexpr double times = 4.;
-    constexpr std::ptrdiff_t most_handles = 30; // it takes time to try them
-    if(std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
-         return pair.tunnel().length() < times * most;
-       }) > most_handles)
-      return "";
-    const Removal_report report = remove_channels(pairs, times * most).report;
-    const double percent = 100. * times * most / diagonal_of(mesh_);
-    return number_of_channels(report) == 0
-               ? ""
-               : formatted("--channels %.3g%% would close ", percent) + words_of_channels(report);
+  void take(const Handle_step& step) {
+    result_.records.push_back(step.record);
+    if(step.answer) {
+      keep_loops(step.answer->report);
+      go_on_without_handles(*step.answer);
+    }
   }
 
   // Of the mesh as it is.
@@ -248,9 +197,9 @@ private:
   }
 
   // As a person would look for them.
-  void keep_loops(const Pairs& pairs, const Removal_report& report) {
+  void keep_loops(const Removal_report& report) {
     for(const Removed_handle& handle : report.removed) {
-      const Pair& pair = pairs[handle.pair];
+      const Pair& pair = loops()[handle.pair];
       result_.closed_loops.push_back(
           (handle.by == Removal_way::CUT ? pair.handle() : pair.tunnel()).points());
     }
@@ -274,7 +223,6 @@ private:
     note_turned(turned);
     if(take_out(copy.mesh, parts, decided.fates) || turned > 0)
       go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
-    result_.after = state_of(copy.mesh, crossings_);
     note_open_holes();
   }
 
@@ -311,62 +259,6 @@ private:
     for(const Face f : out)
       CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
     return PMP::remove_isolated_vertices(mesh) + out.size() > 0;
-  }
-
-  // ---- handles
-
-  void remove_small_handles() {
-    Clean_record record{Clean_step::HANDLES};
-    const std::size_t genus = result_.after.genus;
-    if(options_.noise_below || options_.genus) {
-      if(genus > options_.genus.value_or(0))
-        remove(loops(), record);
-    } else if(genus > 0)
-      record.left = {words_of_left(loops())};
-    result_.records.push_back(record);
-  }
-
-  void remove(const Pairs& pairs, Clean_record& record) {
-    Removal_options wanted;
-    wanted.number_of_threads = options_.number_of_threads;
-    if(options_.genus)
-      wanted.target_genus = *options_.genus;
-    if(options_.noise_below)
-      wanted.pairs = pairs_of_noise(pairs, absolute(*options_.noise_below, mesh_), record);
-    const Removal_answer answer = remove_handles(result_.mesh, pairs, wanted, progress_);
-    record.count = answer.report.removed.size();
-    if(record.count > 0)
-      record.done = {"removed " + counted(record.count, "handle", "handles") + ", " +
-                     words_of_handles(answer.report)};
-    for(const Refused_handle& refused : answer.report.refused)
-      record.left.push_back(formatted("a handle %.4g around: ", refused.length) + refused.reason);
-    keep_loops(pairs, answer.report);
-    go_on_without_handles(answer);
-    result_.after = state_of(Changeable_copy(result_.mesh).mesh, crossings_);
-  }
-
-  std::vector<std::size_t> pairs_of_noise(const Pairs& pairs, double below, Clean_record& record) {
-    constexpr double precision = 0.01;
-    const Measures measures = find_measures(result_.mesh, pairs, precision, progress_);
-    std::vector<std::size_t> numbers;
-    for(std::size_t i = 0; i < measures.size(); ++i)
-      if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
-        numbers.push_back(i);
-      else if(!noise)
-        record.left.push_back("a handle is not measured: " + measures[i].why);
-    return numbers;
-  }
-
-  // None is removed unless a size is given: which of them are meant, nobody can tell.
-  std::string words_of_left(const Pairs& pairs) const {
-    constexpr double small = 0.03;
-    std::size_t number = 0;
-    for(const Pair& pair : pairs)
-      number +=
-          (std::min)(pair.handle().length(), pair.tunnel().length()) < small * diagonal_of(mesh_);
-    return counted(pairs.size(), "handle", "handles") + ", " +
-           (number == 0 ? "none of them" : std::to_string(number) + " of them") +
-           " with a loop shorter than 3% of the diagonal: --noise-below or --genus removes some";
   }
 
   // ---- at last

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "clean/handle_steps.h"
+
+#include "solve/details.h"
+#include "words.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+std::size_t number_of_channels(const Removal_report& report) {
+  return report.removed.size() + report.removed_necks.size();
+}
+
+// The last one of those that lead to a wall is a neck.
+std::string words_of_channels(const Removal_report& report) {
+  double longest = 0.;
+  for(const auto* some : {&report.removed, &report.removed_necks})
+    for(const Removed_handle& channel : *some)
+      longest = (std::max)(longest, channel.length);
+  const std::size_t number = number_of_channels(report), walls = report.removed_necks.size();
+  return counted(number, "channel", "channels") + ", " +
+         formatted("%s%.4g around: ", number > 1 ? "up to " : "", longest) +
+         counted(walls, "inner wall comes", "inner walls come") + " off";
+}
+
+Removal_answer remove_channels(const Mesh& mesh,
+                               const Pairs& pairs,
+                               double most,
+                               const Clean_options& options,
+                               Progress& progress) {
+  Removal_options wanted;
+  wanted.number_of_threads = options.number_of_threads;
+  wanted.maximal_neck_length = most;
+  wanted.only_channels = true;
+  return remove_handles(mesh, pairs, wanted, progress);
+}
+
+// What a person may mean who finds that nothing was done.
+std::string words_of_wider_channels(const Mesh& mesh,
+                                    const Pairs& pairs,
+                                    double most,
+                                    const Clean_options& options,
+                                    Progress& progress) {
+  constexpr double times = 4.;
+  constexpr std::ptrdiff_t most_handles = 30; // it takes time to try them
+  if(std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+       return pair.tunnel().length() < times * most;
+     }) > most_handles)
+    return "";
+  const Removal_report report =
+      remove_channels(mesh, pairs, times * most, options, progress).report;
+  const double percent = 100. * times * most / diagonal_of(mesh);
+  return number_of_channels(report) == 0
+             ? ""
+             : formatted("--channels %.3g%% would close ", percent) + words_of_channels(report);
+}
+
+std::vector<std::size_t> pairs_of_noise(
+    const Mesh& mesh, const Pairs& pairs, double below, Clean_record& record, Progress& progress) {
+  constexpr double precision = 0.01;
+  const Measures measures = find_measures(mesh, pairs, precision, progress);
+  std::vector<std::size_t> numbers;
+  for(std::size_t i = 0; i < measures.size(); ++i)
+    if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
+      numbers.push_back(i);
+    else if(!noise)
+      record.left.push_back("a handle is not measured: " + measures[i].why);
+  return numbers;
+}
+
+// Which of them are meant, nobody can tell.
+std::string words_of_left(const Mesh& mesh, const Pairs& pairs) {
+  constexpr double small = 0.03;
+  const auto number = std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+    return (std::min)(pair.handle().length(), pair.tunnel().length()) < small * diagonal_of(mesh);
+  });
+  return counted(pairs.size(), "handle", "handles") + ", " +
+         (number == 0 ? "none of them" : std::to_string(number) + " of them") +
+         " with a loop shorter than 3% of the diagonal: --noise-below or --genus removes some";
+}
+
+} // namespace
+
+Handle_step close_channels(const Mesh& mesh,
+                           const Pairs& pairs,
+                           double most,
+                           const Clean_options& options,
+                           Progress& progress) {
+  Handle_step step{{Clean_step::CHANNELS}};
+  Removal_answer answer = remove_channels(mesh, pairs, most, options, progress);
+  step.record.count = number_of_channels(answer.report);
+  if(step.record.count > 0) {
+    step.record.done = {"closed " + words_of_channels(answer.report)};
+    step.answer = std::move(answer);
+    return step;
+  }
+  if(const std::string words = words_of_wider_channels(mesh, pairs, most, options, progress);
+     !words.empty())
+    step.record.left = {words};
+  if(const std::size_t refused = answer.report.refused.size() + answer.report.refused_necks.size();
+     refused > 0)
+    step.record.left.push_back(counted(refused, "short hole", "short holes") +
+                               " cannot be filled: nothing tells whether an inner wall is behind");
+  return step;
+}
+
+Handle_step remove_small_handles(const Mesh& mesh,
+                                 const Pairs& pairs,
+                                 const std::optional<double>& noise_below,
+                                 const Clean_options& options,
+                                 Progress& progress) {
+  Handle_step step{{Clean_step::HANDLES}};
+  if(!noise_below && !options.genus && !pairs.empty())
+    step.record.left = {words_of_left(mesh, pairs)};
+  if(pairs.size() <= options.genus.value_or(0) || !(noise_below || options.genus))
+    return step;
+  Removal_options wanted;
+  wanted.number_of_threads = options.number_of_threads;
+  if(options.genus)
+    wanted.target_genus = *options.genus;
+  if(noise_below)
+    wanted.pairs = pairs_of_noise(mesh, pairs, *noise_below, step.record, progress);
+  Removal_answer answer = remove_handles(mesh, pairs, wanted, progress);
+  step.record.count = answer.report.removed.size();
+  if(step.record.count > 0)
+    step.record.done = {"removed " + counted(step.record.count, "handle", "handles") + ", genus " +
+                        std::to_string(answer.report.genus_before) + " -> " +
+                        std::to_string(answer.report.genus_after)};
+  for(const Refused_handle& refused : answer.report.refused)
+    step.record.left.push_back(formatted("a handle %.4g around: ", refused.length) +
+                               refused.reason);
+  if(step.record.count > 0)
+    step.answer = std::move(answer);
+  return step;
+}
+
+} // namespace htloops
