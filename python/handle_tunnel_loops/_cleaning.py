@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union, get_args
 
 import numpy as np
@@ -83,7 +84,17 @@ def clean(
         genus=None if genus is None else whole("genus", genus),
         noise_below=_length("noise_below", noise_below),
     )
-    return computed("clean", progress, _core.clean, *soup(V, F), chosen, threads_of(threads))
+    new_V, new_F, face_origin, report = computed(
+        "clean", progress, _core.clean, *soup(V, F), chosen, threads_of(threads)
+    )
+    for step in report["steps"]:
+        step["left"] = [_in_words_of_python(line) for line in step["left"]]
+    return new_V, new_F, face_origin, report
+
+
+def _in_words_of_python(line: str) -> str:
+    line = re.sub(r"--channels (\S+%)", r'channels="\1"', line)
+    return line.replace("--noise-below", "noise_below").replace("--genus", "genus")
 
 
 def _steps(skip: Any) -> List[str]:
