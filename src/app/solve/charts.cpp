@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/assertions.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/min_quadrilateral_2.h>
 
@@ -180,14 +181,25 @@ Places normalized(const Component& component, const Places& places) {
   return result;
 }
 
+// Whether a method says that it has found something. Those that cannot divide say so only in builds
+// that check preconditions, and find nothing in others.
+template <typename Parameterizer, typename Map>
+bool has_parameterized(Component& component, Parameterizer& parameterizer, Map map) {
+  try {
+    return Parameterization::parameterize(component.disk, parameterizer, component.border, map) ==
+           Parameterization::OK;
+  } catch(const CGAL::Failure_exception&) {
+    return false;
+  }
+}
+
 // Appends what a method finds, if it is a chart.
 template <typename Parameterizer>
 void try_method(Component component, Parameterizer parameterizer, std::vector<Places>& charts) {
   using Uv = Kernel::Point_2;
   Disk& disk = component.disk;
   const auto map = disk.add_property_map<Disk::Vertex_index, Uv>("v:uv", Uv(0., 0.)).first;
-  if(Parameterization::parameterize(disk, parameterizer, component.border, map) !=
-     Parameterization::OK)
+  if(!has_parameterized(component, parameterizer, map))
     return;
   Places places;
   for(const Disk::Vertex_index v : disk.vertices())
