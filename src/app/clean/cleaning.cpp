@@ -54,8 +54,7 @@ std::size_t turn_over(Changeable_mesh& mesh, const Parts& parts, const Predicate
   return std::size_t(std::count(is_turned.begin(), is_turned.end(), 1));
 }
 
-Mesh_state state_of(const Changeable_mesh& mesh, const Crossings& crossings) {
-  const Parts parts = measured_parts(mesh);
+Mesh_state state_of(const Changeable_mesh& mesh, const Parts& parts, const Crossings& crossings) {
   Mesh_state state;
   for(const auto v : mesh.vertices())
     state.vertices += !mesh.is_isolated(v);
@@ -96,7 +95,8 @@ public:
     if(options_.has(Clean_step::HANDLES))
       take(remove_small_handles(result_.mesh, loops(), noise(), options_, progress_));
     find_replaced_faces();
-    result_.after = state_of(Changeable_copy(result_.mesh).mesh, crossings_);
+    const Changeable_copy copy(result_.mesh);
+    result_.after = state_of(copy.mesh, measured_parts(copy.mesh), crossings_);
     result_.total_seconds = stopwatch.seconds();
     return std::move(result_);
   }
@@ -130,8 +130,10 @@ private:
   // Which side is which is known where a part is closed.
   void close_surface() {
     Changeable_copy copy(result_.mesh);
-    result_.before = state_of(copy.mesh, {});
-    note_open_parts(copy.mesh);
+    const Parts parts = measured_parts(copy.mesh);
+    result_.before = state_of(copy.mesh, parts, {});
+    for(const Face f : copy.mesh.faces())
+      was_open_.push_back(!parts.part_of(f).is_closed);
     Clean_record holes{Clean_step::HOLES};
     if(options_.has(Clean_step::HOLES) && result_.before.boundaries > 0) {
       Closed_holes closed = close_holes(copy.mesh);
@@ -145,12 +147,6 @@ private:
       orient(copy.mesh);
     result_.before.crossings = crossings_.crossing.size(); // caps cross nothing
     go_on_with_parts(changed_mesh(copy.mesh, result_.mesh));
-  }
-
-  void note_open_parts(const Changeable_mesh& mesh) {
-    const Parts parts = measured_parts(mesh);
-    for(const Face f : mesh.faces())
-      was_open_.push_back(!parts.part_of(f).is_closed);
   }
 
   void orient(Changeable_mesh& mesh) {

@@ -42,9 +42,7 @@ Places places_of(const Changeable_mesh& mesh,
                  const std::vector<Changeable_mesh::Face_index>& faces) {
   Places places;
   for(const Changeable_mesh::Face_index f : faces) {
-    const auto h = mesh.halfedge(f);
-    places.push_back({mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                      mesh.point(mesh.target(mesh.next(h)))});
+    places.push_back(corners_of(mesh, f));
     std::sort(places.back().begin(), places.back().end());
   }
   std::sort(places.begin(), places.end());

@@ -28,12 +28,6 @@ using Kernel_of_copy = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangle = Kernel_of_copy::Triangle_3;
 using Segment = Kernel_of_copy::Segment_3;
 
-std::array<Changeable_mesh::Point, 3> corners_of(const Changeable_mesh& mesh, Face f) {
-  const auto h = mesh.halfedge(f);
-  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-          mesh.point(mesh.target(mesh.next(h)))};
-}
-
 // Of two faces, each turned such that the corners at common places come first.
 struct Common_corners
 {

@@ -38,14 +38,12 @@ std::size_t label(const Changeable_mesh& mesh, std::vector<std::uint32_t>& of_fa
 void measure(const Changeable_mesh& mesh, Parts& parts) {
   for(const Face f : mesh.faces()) {
     Part& part = parts.all[parts.of_face[f.idx()]];
-    const auto h = mesh.halfedge(f);
-    const auto &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
-               &r = mesh.point(mesh.target(mesh.next(h)));
+    const auto [p, q, r] = corners_of(mesh, f);
     if(part.faces++ == 0)
       part.box = p.bbox();
     part.box += p.bbox() + q.bbox() + r.bbox();
     part.area += std::sqrt(CGAL::squared_area(p, q, r));
-    for(const auto side : CGAL::halfedges_around_face(h, mesh))
+    for(const auto side : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
       part.is_closed &= !mesh.is_border(mesh.opposite(side));
   }
 }
@@ -95,9 +93,8 @@ void orient(const Changeable_mesh& mesh, Parts& parts) {
   for(const Part& part : parts.all)
     volumes.emplace_back(part.box);
   for(const Face f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    volumes[parts.of_face[f.idx()]].add(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                        mesh.point(mesh.target(mesh.next(h))));
+    const auto [p, q, r] = corners_of(mesh, f);
+    volumes[parts.of_face[f.idx()]].add(p, q, r);
   }
   for(std::size_t i = 0; i < parts.all.size(); ++i)
     volumes[i].give_to(parts.all[i]);

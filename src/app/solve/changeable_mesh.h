@@ -15,6 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -25,6 +26,14 @@ namespace htloops {
 using Changeable_mesh =
     CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Changeable_pairs = std::vector<CGAL::Handle_tunnel_pair<Changeable_mesh>>;
+
+/// the points of the corners of a face.
+inline std::array<Changeable_mesh::Point, 3> corners_of(const Changeable_mesh& mesh,
+                                                        Changeable_mesh::Face_index f) {
+  const Changeable_mesh::Halfedge_index h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+          mesh.point(mesh.target(mesh.next(h)))};
+}
 
 /// A changeable copy of a mesh, with the numbers of its vertices and faces.
 struct Changeable_copy
