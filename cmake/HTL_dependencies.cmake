@@ -57,6 +57,12 @@ if(HTL_BUILD_TOOL)
   htl_find_optional(PNG PNG "htloops writes no pictures")
   htl_find_optional(GLTF TinyGLTF "htloops does not read glTF")
   htl_find_optional(EXPAT EXPAT "htloops does not read 3MF")
+  include(CheckCXXSourceCompiles)
+  check_cxx_source_compiles("#include <charconv>
+    int main() { double x; return std::from_chars(\"1\", nullptr, x).ptr == nullptr; }" HTL_HAS_CHARCONV)
+  if(NOT HTL_HAS_CHARCONV)
+    htl_find_optional(DOUBLE_CONVERSION double-conversion "numbers are read and written slowly")
+  endif()
   # Words in pictures: stb draws letters, of a font that is put into the program.
   find_path(HTL_STB stb/stb_truetype.h)
   find_file(HTL_FONT DejaVuSansMono-Bold.ttf

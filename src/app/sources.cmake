@@ -32,6 +32,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   version.cpp
   file_names.cpp
   interrupt.cpp
+  numbers.cpp
   draw/gltf.cpp
   draw/layers.cpp
   draw/lines.cpp

@@ -10,13 +10,13 @@
 #include "read/sources.h"
 
 #include "interrupt.h"
+#include "numbers.h"
 #include "read/input_file.h"
 #include "read/unpacking.h"
 
 #include <boost/endian/conversion.hpp>
 
 #include <charconv>
-#include <cstdlib>
 #include <system_error>
 
 namespace htloops {
@@ -27,26 +27,6 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 bool ends_word(char c) { return is_blank(c) || is_line_end(c) || c == '#'; }
-
-// Knows every form of a number, and what is too large or too small for one. A hexadecimal number,
-// of which none of the formats knows, is nearly always something else.
-bool parse_slowly(std::string_view word, double& value) {
-  if(word.find_first_of("xX") != word.npos)
-    return false;
-  const std::string copy(word);
-  char* end = nullptr;
-  value = std::strtod(copy.c_str(), &end);
-  return !copy.empty() && end == copy.c_str() + copy.size();
-}
-
-bool parse(std::string_view word, double& value) {
-#ifdef __cpp_lib_to_chars
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if(error == std::errc() && end == word.data() + word.size())
-    return true;
-#endif
-  return parse_slowly(word, value);
-}
 
 } // namespace
 
@@ -95,7 +75,7 @@ std::string_view Text_source::next_word() const {
 bool Text_source::read(double& value) {
   skip_blanks();
   const std::string_view word = next_word();
-  if(!parse(word, value))
+  if(!parse_number(word, value))
     return false;
   at_ += word.size();
   return true;

@@ -14,7 +14,6 @@
 #include "window/packing.h"
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -125,17 +124,6 @@ void check_writable(const std::string& target) {
   if(target != "-")
     Staged_path{target};
   throw_if_interrupted();
-}
-
-void append_number(std::string& text, double value) {
-  char digits[32];
-#ifdef __cpp_lib_to_chars
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  text.append(digits, end);
-#else
-  std::snprintf(digits, sizeof digits, "%.17g", value);
-  text += digits;
-#endif
 }
 
 Text_writer::Text_writer(const std::string& target)

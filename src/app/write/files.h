@@ -12,6 +12,7 @@
 
 #include "failure.h"
 #include "file_names.h"
+#include "numbers.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -45,9 +46,6 @@ using Open_file = std::unique_ptr<std::FILE, Close_stream>;
 
 /// opens a file as `std::fopen()` does, to write `target`; throws as `fail_to_write()` does.
 Open_file open_file(const std::string& file, const char* mode, const std::string& target);
-
-/// appends the shortest decimal number that reads back as exactly `value`.
-void append_number(std::string& text, double value);
 
 /// Words and numbers, one after the other. A number reads back as exactly itself.
 class Text

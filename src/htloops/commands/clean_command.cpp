@@ -11,6 +11,7 @@
 #include "app/draw/pages.h"
 #include "app/failure.h"
 #include "app/file_names.h"
+#include "app/numbers.h"
 #include "app/words.h"
 #include "app/write/clean_report.h"
 #include "app/write/documents.h"
@@ -23,13 +24,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,8 +64,8 @@ std::optional<Relative_length> relative_length(const char* option, const std::st
 // "0.02%"; none is small if it is 0%.
 double share_of(const std::string& text) {
   double percent = -1.;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), percent);
-  if(error != std::errc() || end + 1 != text.data() + text.size() || *end != '%' ||
+  const bool has_sign = !text.empty() && text.back() == '%';
+  if(!has_sign || !parse_number(std::string_view(text).substr(0, text.size() - 1), percent) ||
      !(percent >= 0. && percent <= 100.))
     throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.02%");
   return percent / 100.;

@@ -10,6 +10,7 @@
 #include "commands/remove_options.h"
 
 #include "app/failure.h"
+#include "app/numbers.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
 #include "commands/command.h"
@@ -51,9 +52,7 @@ std::optional<double> parse_diameter(const std::string& text) {
   if(text.empty())
     return std::nullopt;
   double diameter = 0.;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), diameter);
-  if(error != std::errc() || end != text.data() + text.size() || !(diameter >= 0.) ||
-     !std::isfinite(diameter))
+  if(!parse_number(text, diameter) || !(diameter >= 0.) || !std::isfinite(diameter))
     throw wrong_usage("--bores: '" + text + "' is not a diameter, such as 0.25");
   return diameter;
 }

@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "numbers.h"
 #include "write/Zip_archive.h"
 #include "write/meshes/writers.h"
 

@@ -128,12 +128,4 @@ TEST(Atomic_file, reports_a_full_disk) {
   EXPECT_TRUE(fs::exists("/dev/full")) << "a device must not be replaced";
 }
 
-TEST(Append_number, reads_back_as_itself) {
-  for(const double value : {0., -0., 0.1, 1. / 3., 1e300, -4.9e-324, 123456789012345678.}) {
-    std::string text;
-    append_number(text, value);
-    EXPECT_EQ(std::strtod(text.c_str(), nullptr), value) << text;
-  }
-}
-
 } // namespace test_htloops_atomic_file
