@@ -130,6 +130,18 @@ expect_match("${output}" "${arcs} arcs, 9 cycles")
 file(READ "${FOLDER}/reeb.html" page)
 expect_match("${page}" "<h1>Reeb graph of mesh.off</h1>")
 
+# The edges of a cut, a line each.
+run(0 cut mesh.off --lines cut.obj --html cut.html)
+file(READ "${FOLDER}/cut.html" page)
+expect_match("${page}" "<h1>Cut along edges: mesh.off</h1>")
+file(STRINGS "${FOLDER}/cut.obj" edges REGEX "^l ")
+list(LENGTH edges edges)
+string(REGEX MATCHALL "\"points\":2,\"closed\":false,\"group\":0" lines "${page}")
+list(LENGTH lines lines)
+if(NOT lines EQUAL edges)
+  message(FATAL_ERROR "the page has ${lines} edges, the file ${edges}")
+endif()
+
 # Many meshes in one call: a line each, in their order, whatever is wrong with some of them.
 file(WRITE "${FOLDER}/broken.off" "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nonsense\n3 0 1 2\n")
 run(0 generate torus --faces 500 -o torus.off)

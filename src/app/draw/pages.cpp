@@ -325,6 +325,22 @@ void write_skeleton_page(const std::string& file,
   write_page(file, scene);
 }
 
+void write_cut_page(const std::string& file,
+                    const View& view,
+                    const std::string& mesh_file,
+                    const Mesh& mesh,
+                    const Exported_lines& cut,
+                    const std::string& summary) {
+  htl_window::Scene scene =
+      scene_of(view, "Cut along edges:", mesh_file, "surface", drawn_surface(mesh));
+  scene.paragraphs = lines_of(summary);
+  if(!cut.lines.empty())
+    scene.groups = {{"the cut", cut.lines.front().colour}};
+  for(const Exported_line& line : cut.lines)
+    add_line(scene, line.points, line.is_closed, 0);
+  write_page(file, scene);
+}
+
 void write_removal_page(const std::string& file, const View& view, const Removal_shown& shown) {
   htl_window::Scene scene = scene_of(view, "Handles removed from", shown.mesh_file, "before",
                                      drawn_surface(shown.before));

@@ -11,6 +11,7 @@
 #define HTLOOPS_PAGES_H
 
 #include "clean/cleaning.h"
+#include "draw/lines.h"
 #include "draw/view.h"
 #include "mesh_types.h"
 #include "solve/answer.h"
@@ -55,6 +56,14 @@ void write_skeleton_page(const std::string& file,
                          const Mesh& mesh,
                          const Skeleton_answer& answer,
                          const std::string& summary);
+
+/// writes a page in which a mesh can be turned with the lines along which it is cut.
+void write_cut_page(const std::string& file,
+                    const View& view,
+                    const std::string& mesh_file,
+                    const Mesh& mesh,
+                    const Exported_lines& cut,
+                    const std::string& summary);
 
 /// What a page shows: a mesh, its loops, and what became of it.
 struct Removal_shown

@@ -9,6 +9,7 @@
 
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
+#include "app/draw/pages.h"
 #include "app/mend/mesh_reader.h"
 #include "app/read/soup.h"
 #include "app/solve/charts.h"
@@ -94,7 +95,8 @@ Cut_answer solve(const Mended_mesh& mended, const Cut_command_options& options) 
 
 void write_files(const Cut_command_options& options,
                  const Mended_mesh& mended,
-                 const Cut_answer& answer) {
+                 const Cut_answer& answer,
+                 const std::string& words) {
   const Mesh& mesh = mended.mesh;
   if(!options.opened_file.empty()) {
     write_mesh(options.opened_file, opened_mesh(mesh, answer.edges), mended.facts);
@@ -102,12 +104,14 @@ void write_files(const Cut_command_options& options,
   }
   if(!options.selection_file.empty())
     export_selection(options.selection_file, mesh, answer.edges);
-  if(!options.lines_files.empty() || !options.picture.file.empty()) {
+  if(!options.lines_files.empty() || !options.picture.file.empty() || !options.page_file.empty()) {
     const Exported_lines lines = lines_of(mesh, answer.edges);
     for(const std::string& file : options.lines_files)
       export_lines(file, lines);
     if(!options.picture.file.empty())
       export_picture(options.picture, options.view, drawn_surface(mesh), lines);
+    if(!options.page_file.empty())
+      write_cut_page(options.page_file, options.view, options.mesh_file, mesh, lines, words);
   }
 }
 
@@ -155,7 +159,7 @@ void run(const Cut_command_options& options) {
   write_read_mesh(options, read_mesh.mended);
   if(!options.seams_file.empty())
     write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
-  write_files(options, read_mesh.mended, answer);
+  write_files(options, read_mesh.mended, answer, words);
   if(!options.dual_file.empty()) {
     Progress_bar bar(!options.is_quiet && is_terminal(stderr));
     write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));
@@ -163,7 +167,7 @@ void run(const Cut_command_options& options) {
   if(!options.is_quiet)
     show_text(words + words_of_unit(read_mesh.mended.facts.unit),
               options.opened_file == "-" || options.selection_file == "-" ||
-                  options.is_mesh_on_standard_output());
+                  options.page_file == "-" || options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
@@ -184,6 +188,7 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
              "the mesh, .msh .msh2 .vtu .vtp");
   add_lines_option(command, options, "the edges");
   add_picture_options(command, options, "the cut", false);
+  add_page_option(command, options, "the mesh and the cut");
   add_view_options(command, options);
 }
 
