@@ -81,11 +81,18 @@ private:
       png_error(png, "out of memory");
   }
 
-  // Its errors are jumps to here, from a function in which nothing has to be destroyed.
   template <typename Call> void call(const Call& use) {
-    if(setjmp(png_jmpbuf(png_)) != 0)
+    if(!runs_without_error(use))
       throw std::runtime_error("cannot write a picture: " + error_);
+  }
+
+  // The errors of libpng are jumps to here, where nothing has to be destroyed, and nothing is
+  // thrown, which not all compilers can do beside a jump.
+  template <typename Call> bool runs_without_error(const Call& use) {
+    if(setjmp(png_jmpbuf(png_)) != 0)
+      return false;
     use();
+    return true;
   }
 
   std::string content_, error_;
