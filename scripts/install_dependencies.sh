@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: for the tool, for the tests too, for the checks, for all
 # tests (some skip without what brings many packages: with valijson comes Qt), or for the benchmarks
-# beside other programs, which want VTK; or the programs that judge what the tool writes, of which some are
-# large, and two come from npm into build/judges.
+# beside other programs, which want VTK; for WebAssembly; or the programs that judge what the tool writes, of
+# which some are large, and two come from npm into build/judges.
 #
-#   scripts/install_dependencies.sh [tool|tests|checks|all|benchmarks|judges]
+#   scripts/install_dependencies.sh [tool|tests|checks|all|benchmarks|web|web_tests|judges]
 #
 # Touches nothing, and needs no network, where all is there. Where there is no apt-get it names the
 # libraries and goes on: the build then says itself what it lacks.
@@ -18,6 +18,9 @@ checks=("${tests[@]}" clang-format)
 all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshio python3-matplotlib
   python3-pil python3-distributed)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
+web=(cmake ninja-build emscripten esbuild dpkg-dev libcgal-dev libeigen3-dev libcli11-dev nlohmann-json3-dev
+  libtinygltf-dev libstb-dev fonts-dejavu-core)
+command -v npm >/dev/null || web+=(npm) # that of Debian does not go with a node that is not
 judges=("${tests[@]}" python3-nibabel python3-gmsh blender paraview python3-paraview prusa-slicer
   pymol xvfb xauth)
 
@@ -27,9 +30,11 @@ case "${1:-tool}" in
   checks) wanted=("${checks[@]}") ;;
   all) wanted=("${all[@]}") ;;
   benchmarks) wanted=("${benchmarks[@]}") ;;
+  web) wanted=("${web[@]}") ;;
+  web_tests) wanted=("${web[@]}" chromium firefox-esr) ;;
   judges) wanted=("${judges[@]}") ;;
   *)
-    echo "usage: $0 [tool|tests|checks|all|benchmarks|judges]" >&2
+    echo "usage: $0 [tool|tests|checks|all|benchmarks|web|web_tests|judges]" >&2
     exit 2
     ;;
 esac
@@ -42,34 +47,42 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 
+# install_from_npm FOLDER PACKAGE...: into build/FOLDER.
 install_from_npm() {
+  local folder=$1
+  shift
   if ! command -v npm >/dev/null; then
-    echo "There is no npm here: gltf-validator and manifold-3d are not installed" >&2
+    echo "There is no npm here: not installed are $*" >&2
     return
   fi
-  npm install --silent --no-audit --no-fund --prefix "$(dirname "$0")/../build/judges" gltf-validator manifold-3d
+  npm install --silent --no-audit --no-fund --prefix "$(dirname "$0")/../build/$folder" "$@"
 }
-[ "${1:-tool}" != judges ] || install_from_npm
 
 is_installed() {
   [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-missing=()
-for package in "${wanted[@]}"; do
-  is_installed "$package" || missing+=("$package")
-done
-[ "${#missing[@]}" -gt 0 ] || exit 0
-
-echo "Installing: ${missing[*]}"
-as_root=()
-if [ "$(id -u)" -ne 0 ]; then
-  if ! command -v sudo >/dev/null; then
-    echo "Neither root nor sudo: as root, run  apt-get install ${missing[*]}" >&2
-    exit 1
+install_from_debian() {
+  local missing=() as_root=() package
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  echo "Installing: ${missing[*]}"
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "Neither root nor sudo: as root, run  apt-get install ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
   fi
-  as_root=(sudo)
-fi
-"${as_root[@]}" apt-get update --quiet
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
+  "${as_root[@]}" apt-get update --quiet
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --quiet --no-install-recommends "${missing[@]}"
+}
+
+install_from_debian "${wanted[@]}"
+case "${1:-tool}" in
+  judges) install_from_npm judges gltf-validator manifold-3d ;;
+  web_tests) install_from_npm web_tests puppeteer-core@24 ;;
+esac

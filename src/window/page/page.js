@@ -100,6 +100,8 @@ class Page {
       chosen.length ? `${scene.choice} ${chosen.map(row => scene.numbers[row.index]).join(',')}` : '';
     element('choice').hidden = element('copy').hidden = element('clear').hidden = scene.numbers.length === 0;
     element('copy').disabled = element('clear').disabled = chosen.length === 0;
+    if (window.parent !== window) // a page around this one may do something with them
+      window.parent.postMessage({ chosen: chosen.map(row => scene.numbers[row.index]) }, '*');
   }
 
   // Lights a row and its lines, and brings them to the middle if that is wanted.

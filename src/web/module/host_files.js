@@ -1,0 +1,101 @@
+// The files of the machine, under the names that they have there, as a file system of the module: for the command
+// in node. `node` is its module `fs`.
+
+// Errors of node have the names that those of the module have numbers for.
+const numbers = {
+  EPERM: 63, ENOENT: 44, EIO: 29, EACCES: 2, EBUSY: 10, EEXIST: 20, ENOTDIR: 54, EISDIR: 31, EINVAL: 28,
+  EMFILE: 33, ENOSPC: 51, EROFS: 69, ENOTEMPTY: 55, ENAMETOOLONG: 37, EXDEV: 75, ELOOP: 32,
+};
+
+export function hostFiles(FS, node) {
+  const attempt = action => {
+    try {
+      return action();
+    } catch (error) {
+      if (!error.code)
+        throw error;
+      throw new FS.ErrnoError(numbers[error.code] ?? 29);
+    }
+  };
+
+  // Where a file of the module is on the machine.
+  function pathOf(entry) {
+    const names = [];
+    for (; entry.parent !== entry; entry = entry.parent)
+      names.unshift(entry.name);
+    return [entry.mount.opts.root.replace(/\/$/, ''), ...names].join('/') || '/';
+  }
+
+  function entryAt(parent, name, mode) {
+    const entry = FS.createNode(parent, name, mode, 0);
+    entry.node_ops = ofEntries;
+    entry.stream_ops = ofStreams;
+    return entry;
+  }
+
+  const ofEntries = {
+    getattr: entry => attempt(() => node.statSync(pathOf(entry))),
+    setattr(entry, { mode, size, timestamp }) {
+      attempt(() => {
+        if (mode !== undefined) {
+          node.chmodSync(pathOf(entry), mode & 0o7777);
+          entry.mode = mode;
+        }
+        if (size !== undefined)
+          node.truncateSync(pathOf(entry), size);
+        if (timestamp !== undefined)
+          node.utimesSync(pathOf(entry), timestamp / 1000, timestamp / 1000);
+      });
+    },
+    lookup: (parent, name) =>
+      entryAt(parent, name, attempt(() => node.statSync(`${pathOf(parent)}/${name}`)).mode),
+    mknod(parent, name, mode) {
+      const entry = entryAt(parent, name, mode), path = pathOf(entry);
+      attempt(() => FS.isDir(mode) ? node.mkdirSync(path, mode & 0o7777)
+        : node.closeSync(node.openSync(path, 'wx', mode & 0o7777)));
+      return entry;
+    },
+    rename(entry, parent, name) {
+      attempt(() => node.renameSync(pathOf(entry), `${pathOf(parent)}/${name}`));
+      entry.name = name;
+    },
+    unlink: (parent, name) => attempt(() => node.unlinkSync(`${pathOf(parent)}/${name}`)),
+    rmdir: (parent, name) => attempt(() => node.rmdirSync(`${pathOf(parent)}/${name}`)),
+    readdir: entry => ['.', '..', ...attempt(() => node.readdirSync(pathOf(entry)))],
+  };
+
+  // The module makes a file, and empties it, before it is opened: what is left of the flags is who may do what,
+  // and whether all is written to its end.
+  const modes = ['r', 'r+', 'r+'], append = 0o2000;
+
+  const ofStreams = {
+    open(stream) {
+      if (FS.isFile(stream.node.mode))
+        stream.file = attempt(() => node.openSync(
+          pathOf(stream.node), stream.flags & append ? 'a' : modes[stream.flags & 3]));
+    },
+    close(stream) {
+      if (stream.file !== undefined)
+        attempt(() => node.closeSync(stream.file));
+    },
+    read: (stream, heap, offset, length, position) =>
+      length === 0 ? 0 : attempt(() => node.readSync(stream.file, heap, offset, length, position)),
+    write: (stream, heap, offset, length, position) =>
+      attempt(() => node.writeSync(stream.file, heap, offset, length, stream.flags & append ? null : position)),
+    llseek(stream, offset, whence) {
+      const from = [0, stream.position, attempt(() => node.fstatSync(stream.file ?? 0)).size][whence];
+      if (from + offset < 0)
+        throw new FS.ErrnoError(numbers.EINVAL);
+      return from + offset;
+    },
+  };
+
+  return {
+    mount({ opts }) {
+      const root = FS.createNode(null, '/', attempt(() => node.statSync(opts.root)).mode, 0);
+      root.node_ops = ofEntries;
+      root.stream_ops = ofStreams;
+      return root;
+    },
+  };
+}

@@ -1,0 +1,292 @@
+// The page that computes: a mesh comes in, a task is chosen, its page is shown, and results are saved.
+
+import { makeClient } from '../module/client.js';
+import { commandLine, remediesIn, samples, tasks } from './tasks.js';
+
+const element = id => document.getElementById(id);
+
+function made(tag, properties = {}, ...children) {
+  const node = Object.assign(document.createElement(tag), properties);
+  node.append(...children);
+  return node;
+}
+
+// ---- the module, which is inside this page
+
+async function load() {
+  const packed = Uint8Array.from(atob(element('module').textContent), letter => letter.charCodeAt(0));
+  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+}
+
+const workerAddress = URL.createObjectURL(new Blob([element('worker').textContent], { type: 'text/javascript' }));
+
+function startWorker() {
+  const worker = new Worker(workerAddress);
+  return {
+    post: message => worker.postMessage(message),
+    terminate: () => worker.terminate(),
+    onMessage: listener => worker.addEventListener('message', event => listener(event.data)),
+    onError: listener => worker.addEventListener('error', listener),
+  };
+}
+
+const { run } = makeClient(load, startWorker);
+
+// ---- files
+
+const meshEnding = /\.(off|obj|ply|stl|glb|gltf|3mf|vtp|vtu|msh2?|gii|surf|pial|white|inflated|orig)(\.gz)?$/i;
+
+// A name that is one name, and no option, whatever it was called.
+const safeName = name => `./${name.replace(/[/\\\0]/g, '_').slice(-200)}`;
+
+const bytesOf = async file => new Uint8Array(await file.arrayBuffer());
+
+function download(name, bytes) {
+  const link = made('a', { href: URL.createObjectURL(new Blob([bytes])), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+const seconds = since => `${((performance.now() - since) / 1000).toFixed(1)} s`;
+
+// ---- the page
+
+class App {
+  mesh = null; // { name, files }: of files that belong together the first is the mesh
+  task = tasks.loops;
+  settings = []; // of the run that is shown
+  remedies = [];
+  results = {};
+  chosen = [];
+  running = null;
+
+  constructor() {
+    this.makeTasks();
+    this.makeSamples();
+    this.makeSave();
+    this.listenToFiles();
+    element('cancel').onclick = () => this.running?.abort(new Error('Cancelled'));
+    element('more').onclick = event => {
+      event.preventDefault();
+      element('about').showModal();
+    };
+    window.addEventListener('message', event => {
+      if (event.source === element('viewer').contentWindow && Array.isArray(event.data?.chosen))
+        this.choose(event.data.chosen);
+    });
+    this.refresh();
+    document.body.classList.add('ready');
+  }
+
+  // ---- what can be pressed
+
+  makeTasks() {
+    for (const [name, task] of Object.entries(tasks).filter(([, { ways }]) => !ways)) {
+      const button = made('button', { type: 'button', textContent: task.label, id: `task-${name}` });
+      button.onclick = () => this.compute(task);
+      element('tasks').append(button);
+      task.button = button;
+    }
+    const { ways } = tasks.remove;
+    for (const way of ways) {
+      const button = made('button', { type: 'button', textContent: way.label, id: `remove-${way.name}` });
+      const input = way.value ? made('input', { value: way.value, ariaLabel: way.label, id: `remove-${way.name}-value` }) : '';
+      button.onclick = () => this.compute(tasks.remove, [way.option, input ? input.value.trim() : this.chosen.join(',')]);
+      element('settings').append(button, input);
+      way.button = button;
+    }
+    ways[1].button.before('Remove: ');
+  }
+
+  makeSamples() {
+    const choice = element('sample');
+    choice.append(...samples.map(([label], i) => made('option', { value: i, textContent: label })));
+    choice.onchange = () => {
+      const sample = samples[Number(choice.value)];
+      choice.value = '';
+      if (sample)
+        this.generate(...sample);
+    };
+  }
+
+  makeSave() {
+    const choice = element('save');
+    choice.onchange = () => {
+      const { value } = choice;
+      choice.value = '';
+      if (value)
+        this.save(value);
+    };
+  }
+
+  listenToFiles() {
+    const main = document.querySelector('main'), input = element('file');
+    element('open').onclick = () => input.click();
+    input.onchange = () => this.take([...input.files]);
+    for (const name of ['dragenter', 'dragover', 'dragleave', 'drop'])
+      document.addEventListener(name, event => {
+        event.preventDefault();
+        main.classList.toggle('dragged', name === 'dragenter' || name === 'dragover');
+      });
+    document.addEventListener('drop', event => this.take([...event.dataTransfer.files]));
+  }
+
+  refresh() {
+    const isIdle = this.running === null, { task } = this;
+    for (const each of Object.values(tasks))
+      if (each.button) {
+        each.button.disabled = !isIdle || !this.mesh;
+        each.button.ariaPressed = each === task && this.isShown;
+      }
+    for (const way of tasks.remove.ways)
+      way.button.disabled = !isIdle || !this.mesh || way.option === '--pairs' && this.chosen.length === 0;
+    element('cancel').hidden = element('progress').hidden = isIdle;
+    element('open').disabled = element('sample').disabled = element('save').disabled = !isIdle;
+    element('save').hidden = !this.isShown;
+    element('name').textContent = this.mesh?.name ?? '';
+  }
+
+  choose(numbers) {
+    this.chosen = numbers.filter(Number.isInteger);
+    this.refresh();
+  }
+
+  // ---- what is said
+
+  say(text, isError = false) {
+    element('message').textContent = text;
+    element('message').className = isError ? 'error' : '';
+    element('remedies').replaceChildren();
+  }
+
+  // What a person can do about a message: a button for each option that it proposes.
+  offer(message, again) {
+    const labels = { '--triangulate': 'Triangulate', '--repair': 'Repair' };
+    for (const option of remediesIn(message).filter(each => !this.remedies.includes(each))) {
+      const button = made('button', { type: 'button', textContent: labels[option] });
+      button.onclick = () => {
+        this.remedies.push(option);
+        again();
+      };
+      element('remedies').append(button);
+    }
+  }
+
+  // ---- what is done
+
+  async take(files) {
+    const mesh = files.find(({ name }) => meshEnding.test(name)) ?? files[0];
+    if (!mesh || this.running)
+      return;
+    const all = {};
+    for (const file of files)
+      all[safeName(file.name)] = await bytesOf(file);
+    this.open({ name: mesh.name, path: safeName(mesh.name), files: all });
+    this.compute(tasks.loops);
+  }
+
+  open(mesh) {
+    this.mesh = mesh;
+    this.remedies = [];
+    this.isShown = false;
+  }
+
+  async generate(label, words) {
+    const result = await this.run(`Making: ${label}`, ['generate', ...words, '-o', 'sample.off', '-q'], { outputs: ['sample.off'] });
+    if (!result)
+      return;
+    this.open({ name: label, path: './sample.off', files: { './sample.off': result.files['sample.off'] } });
+    this.compute(tasks.loops);
+  }
+
+  // One run of the tool, with its progress and its Cancel; null if it was cancelled, or broke off.
+  async run(label, args, options) {
+    this.running = new AbortController();
+    this.say(label);
+    element('progress').removeAttribute('value');
+    this.refresh();
+    try {
+      return await run(args, {
+        ...options, signal: this.running.signal,
+        onProgress: (part, what) => {
+          element('progress').value = part;
+          element('message').textContent = `${label}: ${what}`;
+        },
+      });
+    } catch (error) {
+      this.say(this.running.signal.aborted ? 'Cancelled.' : `The computation broke off: ${error.message}`,
+               !this.running.signal.aborted);
+      return null;
+    } finally {
+      this.running = null;
+      this.refresh();
+    }
+  }
+
+  async compute(task, settings = []) {
+    const began = performance.now(), { mesh } = this, page = 'page.html';
+    const written = task.written.map(({ file }) => file);
+    const result = await this.run(
+      task.label, commandLine(task, mesh.path, { settings, remedies: this.remedies, page }),
+      { files: { ...mesh.files }, outputs: [page, ...written] });
+    if (!result)
+      return;
+    const { exitCode, files, messages, output } = result;
+    const words = (new TextDecoder().decode(output) + messages).replaceAll('htloops: ', '').trim();
+    if (!files[page]) {
+      this.say(words || `Nothing was found (${exitCode}).`, true);
+      this.offer(words, () => this.compute(task, settings));
+      return;
+    }
+    Object.assign(this, { task, settings, results: files, chosen: [], isShown: true });
+    this.show(files[page]);
+    this.say(`${words.split('\n')[0]} (${seconds(began)} in all)`);
+    this.refresh();
+    this.listSaves();
+  }
+
+  show(html) {
+    element('welcome').hidden = true;
+    element('viewer').hidden = false;
+    element('viewer').srcdoc = new TextDecoder().decode(html);
+  }
+
+  listSaves() {
+    const { task } = this;
+    element('save').replaceChildren(
+      made('option', { value: '', textContent: 'Save\u2026' }),
+      ...[...task.written, ...task.more, { label: 'this page of the result (HTML)', file: 'page.html' }]
+        .map(({ label, file }) => made('option', { value: file, textContent: label })),
+      ...(task.makesMesh ? [made('option', { value: 'go on', textContent: 'go on with the new mesh' })] : []));
+  }
+
+  async save(file) {
+    const { task, mesh } = this;
+    if (file === 'go on')
+      return this.goOn();
+    if (!this.results[file]) {
+      const wanted = task.more.find(each => each.file === file);
+      const result = await this.run(
+        `Writing: ${wanted.label}`,
+        commandLine(task, mesh.path, { settings: this.settings, remedies: this.remedies, files: [wanted] }),
+        { files: { ...mesh.files }, outputs: [file] });
+      if (!result?.files[file]) {
+        if (result)
+          this.say(result.messages.replaceAll('htloops: ', '').trim(), true);
+        return;
+      }
+      this.results[file] = result.files[file];
+      this.say('');
+    }
+    download(`${mesh.name.replace(meshEnding, '').replace(/[^\w.-]+/g, '_')}-${file}`, this.results[file]);
+  }
+
+  goOn() {
+    const [{ file }] = this.task.written, bytes = this.results[file];
+    this.open({ name: `${this.mesh.name}: ${this.task.label}`, path: `./${file}`, files: { [`./${file}`]: bytes } });
+    return this.compute(tasks.loops);
+  }
+}
+
+window.app = new App();

@@ -1,0 +1,136 @@
+// The npm package as it is packed, in node: installed into an empty folder, asked for all that it has, and compared
+// with the native tool.
+
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+
+import { bytesOf, comparable, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
+
+const packed = join(process.env.HTL_WEB, readdirSync(process.env.HTL_WEB).find(name => name.endsWith('.tgz')));
+const home = join(folder, 'empty');
+let htl, meshes;
+
+const command = (...args) =>
+  spawnSync(join(home, 'node_modules/.bin/htloops'), args, { cwd: folder, maxBuffer: 1 << 28 });
+
+before(async () => {
+  mkdirSync(home);
+  writeFileSync(join(home, 'package.json'), '{"private": true, "type": "module"}');
+  execFileSync('npm', ['install', '--offline', '--silent', '--no-audit', '--no-fund', packed], { cwd: home });
+  htl = await import(join(home, 'node_modules/handle-tunnel-loops/node.js'));
+  meshes = makeMeshes();
+});
+
+test('what is packed', () => {
+  const installed = join(home, 'node_modules/handle-tunnel-loops');
+  const names = readdirSync(installed);
+  for (const name of ['LICENSE', 'NOTICES', 'README.md', 'index.d.ts', 'htloops.wasm', 'command.js'])
+    assert.ok(names.includes(name), name);
+  const { dependencies, version } = JSON.parse(readFileSync(join(installed, 'package.json')));
+  assert.equal(dependencies, undefined);
+  assert.ok(native('--version').toString().includes(version));
+  assert.ok(statSync(packed).size < 2.5e6);
+});
+
+test('the command gives the numbers of the native tool, to the last bit', () => {
+  for (const mesh of meshes) {
+    const { status, stderr } = command('loops', mesh, '-q', '-o', 'web.json', '--csv', 'web.csv', '--lines', 'web.obj');
+    assert.equal(status, 0, `${mesh}: ${stderr}`);
+    native('loops', mesh, '-q', '-o', 'native.json', '--csv', 'native.csv', '--lines', 'native.obj');
+    assert.deepEqual(comparable(bytesOf('web.json')), comparable(bytesOf('native.json')), mesh);
+    assert.ok(bytesOf('web.obj').equals(bytesOf('native.obj')), mesh);
+    assert.equal(nativeRun('check', mesh, 'web.json').exitCode, 0);
+  }
+});
+
+test('other commands write the same files', () => {
+  const runs = [
+    ['remove', 'multi-torus.stl', '--genus', '1', '-q', '-o', 'out.off'],
+    ['clean', 'bores.off', 'out.off', '-q'],
+    ['cut', 'gyroid.ply', '-q', '-o', 'out.obj'],
+    ['skeleton', 'mug.ply', '-q', '--swc', 'out.swc'],
+    ['reeb', 'chair.obj', '-q', '--lines', 'out.obj'],
+    ['loops', 'cage.off', '-q', '--gltf', 'out.glb'],
+    ['repair', 'coral.stl', '-q', '-o', 'out.ply'],
+    ['generate', 'scan', '--faces', '30000', '-q', '-o', 'out.off'],
+  ];
+  for (const run of runs) {
+    const file = run.find(word => word.startsWith('out.'));
+    assert.equal(command(...run).status, 0, run.join(' '));
+    const ours = bytesOf(file);
+    native(...run);
+    assert.ok(ours.equals(bytesOf(file)), run.join(' '));
+  }
+});
+
+test('pictures are drawn', () => {
+  assert.equal(command('loops', 'torus.off', '-q', '--picture', 'web.png').status, 0);
+  native('loops', 'torus.off', '-q', '--picture', 'native.png', '--threads', '1');
+  assert.ok(bytesOf('web.png').equals(bytesOf('native.png')));
+});
+
+test('pipes, folders and exit codes are as they are natively', () => {
+  assert.equal(command('loops', 'nothing.off').status, 3);
+  assert.equal(command('loops').status, 2);
+  const quads = 'quads.obj';
+  writeFileSync(join(folder, quads), 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n');
+  const ours = command('loops', quads), theirs = nativeRun('loops', quads);
+  assert.deepEqual([ours.status, ours.stderr.toString()], [theirs.exitCode, theirs.messages]);
+  const piped = spawnSync(join(home, 'node_modules/.bin/htloops'), ['loops', '-', '--format', 'off', '-qo', '-'],
+                          { cwd: folder, input: bytesOf('torus.off') });
+  assert.deepEqual(comparable(piped.stdout), comparable(native('loops', '-q', 'torus.off', '-o', '-')));
+  assert.ok(!ours.stderr.toString().includes('\x1b'), 'no colours in a pipe');
+  mkdirSync(join(folder, 'many'));
+  for (const name of ['torus.off', 'lattice.obj'])
+    writeFileSync(join(folder, 'many', name), bytesOf(name));
+  assert.equal(command('measure', 'many', '--csv', 'many.csv', '-q', '--jobs', '2').status, 0);
+  assert.equal(bytesOf('many.csv').toString().trim().split('\n').length, 1 + 1 + 12);
+});
+
+test('arrays in, arrays out', async () => {
+  const mesh = await htl.generate('multi-torus', { genus: 3, faces: 3000 });
+  assert.ok(mesh.points instanceof Float64Array && mesh.triangles instanceof Uint32Array);
+  const steps = [];
+  const { pairs, certificate } = await htl.loops(mesh, { onProgress: part => steps.push(part) });
+  assert.equal(pairs.length, 3);
+  assert.ok(certificate.basis && certificate.closed_on_surface);
+  for (const { handle, tunnel } of pairs)
+    for (const loop of [handle, tunnel]) {
+      assert.ok(loop.points instanceof Float64Array);
+      const count = loop.points.length / 3, at = i => loop.points.subarray(3 * (i % count), 3 * (i % count) + 3);
+      let length = 0;
+      for (let i = 0; i < count; ++i)
+        length += Math.hypot(...at(i + 1).map((x, k) => x - at(i)[k]));
+      assert.ok(Math.abs(length - loop.length) < 1e-12 * length);
+    }
+  const { mesh: ball, report } = await htl.removeHandles(mesh, { all: true });
+  assert.equal(report.genus_after, 0);
+  assert.equal(new Set(ball.triangles).size - ball.triangles.length / 3 / 2, 2); // V - E + F of a sphere
+  assert.ok((await htl.measure(mesh)).pairs.every(({ thickness }) => thickness.diameter > 0));
+  assert.equal((await htl.reebGraph(mesh)).cycles, 3);
+  assert.ok((await htl.skeleton(mesh)).certificate.inside);
+  assert.equal((await htl.clean(mesh)).report.after.boundaries, 0);
+  const { mesh: disk } = await htl.cut(mesh);
+  assert.ok(disk.points.length > mesh.points.length);
+});
+
+test('errors are those of the tool, and a signal ends a run', async () => {
+  const open = { points: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], triangles: [0, 1, 2, 0, 1, 3, 0, 1, 2] };
+  await assert.rejects(htl.loops(open), error => error.exitCode === 4 && error.message.includes('--repair'));
+  await assert.rejects(htl.loops({ points: [0, 1], triangles: [] }), TypeError);
+  await assert.rejects(htl.loops(open, { noSuchOption: true }), error => error.exitCode === 2);
+  const began = performance.now();
+  await assert.rejects(htl.run(['generate', 'gyroid', '--faces', '3000000', '-o', 'x.off'],
+                               { signal: AbortSignal.timeout(300) }), { name: 'TimeoutError' });
+  assert.ok(performance.now() - began < 1500);
+});
+
+test('no memory is said, and the next call is answered', async () => {
+  const { exitCode, messages } = await htl.run(['generate', 'torus', '--faces', '2000000000', '-o', 'x.off', '-q']);
+  assert.notEqual(exitCode, 0);
+  assert.match(messages, /memory/);
+  assert.equal((await htl.run(['--version'])).exitCode, 0);
+});

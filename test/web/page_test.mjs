@@ -1,0 +1,192 @@
+// The page, opened from disk in headless browsers: a mesh is dropped, loops are found, looked at and saved, handles
+// are removed. BROWSER is chromium or firefox.
+
+import assert from 'node:assert/strict';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { comparable, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
+
+const { default: puppeteer } = await import(
+  pathToFileURL(createRequire(join(process.env.HTL_NODE_MODULES, '/')).resolve('puppeteer-core')));
+const kind = process.env.BROWSER;
+const downloads = mkdtempSync(join(folder, 'downloads-'));
+const requests = [], complaints = [];
+let browser, page, meshes;
+
+function launch() {
+  const common = { headless: true, executablePath: kind === 'firefox' ? '/usr/bin/firefox-esr' : '/usr/bin/chromium' };
+  return puppeteer.launch(kind === 'firefox'
+    ? { ...common, browser: 'firefox', extraPrefsFirefox: {
+      'browser.download.folderList': 2, 'browser.download.dir': downloads, 'webgl.force-enabled': true,
+      'browser.helperApps.neverAsk.saveToDisk': 'application/octet-stream' } }
+    : { ...common, args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+      '--disable-component-update', '--disable-sync', '--enable-unsafe-swiftshader'] });
+}
+
+before(async () => {
+  meshes = makeMeshes();
+  browser = await launch();
+  page = await browser.newPage();
+  page.on('request', request => requests.push(request.url()));
+  page.on('console', message => {
+    if (['error', 'warn'].includes(message.type()))
+      complaints.push(message.text());
+  });
+  page.on('pageerror', error => complaints.push(error.message));
+  if (kind === 'chromium') {
+    const session = await browser.target().createCDPSession();
+    await session.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
+  }
+  await page.goto(pathToFileURL(join(process.env.HTL_WEB, 'index.html')).href);
+  await page.waitForSelector('body.ready');
+});
+
+after(() => browser?.close());
+
+const isIdle = () => page.waitForFunction(() => window.app.running === null, { timeout: 120000 });
+const message = () => page.$eval('#message', node => node.textContent);
+const viewer = async () => (await page.$('#viewer')).contentFrame();
+
+async function open(file) {
+  await (await page.$('#file')).uploadFile(join(folder, file));
+  await isIdle();
+}
+
+async function press(selector) {
+  await page.click(selector);
+  await isIdle();
+}
+
+async function isShown() {
+  const frame = await viewer();
+  await frame.waitForSelector('body.ready', { timeout: 60000 });
+  return frame;
+}
+
+const drop = (name, text) => page.evaluate((fileName, content) => {
+  const files = new DataTransfer();
+  files.items.add(new File([content], fileName));
+  document.dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
+}, name, text);
+
+async function saved(file) {
+  const before = new Set(readdirSync(downloads));
+  await page.select('#save', file);
+  await isIdle();
+  for (let i = 0; i < 100; ++i) {
+    const found = readdirSync(downloads).find(name => !before.has(name) && !/\.(crdownload|part)$/.test(name));
+    if (found)
+      return join(downloads, found);
+    await new Promise(resolve => setTimeout(resolve, 100));
+  }
+  throw new Error(`${file} was not saved`);
+}
+
+test('a mesh that is dropped gets its loops, as the native tool finds them', async () => {
+  await drop('bicycle.off', native('generate', 'bicycle', '--faces', '8000', '-o', '-', '-q').toString());
+  await isIdle();
+  assert.match(await message(), /genus 14/);
+  const frame = await isShown();
+  assert.equal(await frame.$$eval('#rows tr', rows => rows.length), 14);
+});
+
+test('what is saved is checked by the native tool', async () => {
+  await open('lattice.obj');
+  await isShown();
+  const json = await saved('loops.json');
+  assert.equal(nativeRun('check', 'lattice.obj', json).exitCode, 0);
+  assert.match(readFileSync(await saved('table.csv'), 'utf8'), /^pair/m);
+  assert.match(readFileSync(await saved('lines.obj'), 'utf8'), /^l /m);
+  assert.equal(readFileSync(await saved('model.glb')).subarray(0, 4).toString(), 'glTF');
+  assert.equal(readFileSync(await saved('picture.png')).subarray(1, 4).toString(), 'PNG');
+});
+
+test('twenty meshes, to the last bit', async () => {
+  for (const mesh of meshes) {
+    await open(mesh);
+    const json = await page.evaluate(() => new TextDecoder().decode(window.app.results['loops.json']));
+    native('loops', mesh, '-qo', 'native.json');
+    assert.deepEqual(comparable(json), comparable(readFileSync(join(folder, 'native.json'))), mesh);
+  }
+});
+
+test('chosen handles are removed, and the new mesh goes on', async () => {
+  await open('lattice.obj');
+  const frame = await isShown();
+  for (const row of (await frame.$$('#rows tr input')).slice(0, 3))
+    await row.click();
+  await page.waitForFunction(() => window.app.chosen.length === 3);
+  await press('#remove-chosen');
+  assert.match(await message(), /genus 12 -> 9|12.*9/);
+  assert.deepEqual(await (await isShown()).$$eval('[name=surface]', nodes => nodes.length), 2);
+  const stl = await saved('mesh.stl');
+  assert.match(nativeRun('loops', stl).output, /genus 9 /);
+  await page.select('#save', 'go on');
+  await isIdle();
+  assert.match(await message(), /genus 9/);
+});
+
+test('the other tasks are shown, too', async () => {
+  await open('multi-torus.stl');
+  for (const task of ['measure', 'reeb', 'skeleton', 'clean', 'cut']) {
+    await press(`#task-${task}`);
+    assert.equal(await page.$eval('#message', node => node.className), '', `${task}: ${await message()}`);
+    await isShown();
+  }
+  await page.$eval('#remove-genus-value', node => { node.value = '1'; });
+  await press('#remove-genus');
+  assert.match(await message(), /1/);
+});
+
+test('what a mesh lacks is said, with a button that helps', async () => {
+  await drop('quads.obj', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n' +
+             'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n');
+  await isIdle();
+  assert.match(await message(), /triangulate/);
+  await press('#remedies button');
+  assert.equal(await page.$eval('#message', node => node.className), '');
+});
+
+test('a hostile name is a text', async () => {
+  const name = '<img src=x onerror="window.hurt = 1">&@script@.off';
+  await drop(name, native('generate', 'torus', '--faces', '500', '-o', '-', '-q').toString());
+  await isIdle();
+  const frame = await isShown();
+  assert.ok((await page.$eval('#name', node => node.textContent)).includes('<img'));
+  assert.ok(!(await page.evaluate(() => window.hurt)) && !(await frame.evaluate(() => window.hurt)));
+  assert.ok((await frame.$eval('h1', node => node.textContent)).includes('<img'));
+});
+
+test('what is no mesh is said, and the page goes on', async () => {
+  await drop('nothing.off', 'OFF\n3 1 0\n');
+  await isIdle();
+  assert.equal(await page.$eval('#message', node => node.className), 'error');
+  const words = await page.evaluate(() => window.app.run('too large', ['generate', 'torus', '--faces', '2000000000',
+                                                                        '-o', 'x.off'], {}).then(r => r.messages));
+  assert.match(words, /memory/);
+  await open('torus.off');
+  assert.match(await message(), /genus 1/);
+});
+
+test('Cancel ends it within a fifth of a second', async () => {
+  await page.evaluate(() => { window.app.generate('large', ['gyroid', '--faces', '2000000']); });
+  await new Promise(resolve => setTimeout(resolve, 400));
+  const milliseconds = await page.evaluate(async () => {
+    const began = performance.now();
+    document.getElementById('cancel').click();
+    while (window.app.running)
+      await new Promise(resolve => setTimeout(resolve, 1));
+    return performance.now() - began;
+  });
+  assert.ok(milliseconds < 200, `${milliseconds} ms`);
+  assert.match(await message(), /Cancelled/);
+});
+
+test('nothing was asked of any server, and nothing was complained of', () => {
+  assert.deepEqual(requests.filter(url => !/^(file|blob|data|about):/.test(url)), []);
+  assert.deepEqual(complaints.filter(text => !/GPU stall|software WebGL|GroupMarker/.test(text)), []);
+});
