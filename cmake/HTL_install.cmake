@@ -1,4 +1,4 @@
-# Install rules: the headers, the tool, and what find_package(Handle_tunnel_loops) reads.
+# Install rules: the headers, the tool, its manual, and what find_package(Handle_tunnel_loops) reads.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -17,6 +17,11 @@ if(TARGET htloops)
     DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" OPTIONAL)
 endif()
 install(FILES LICENSE README.md CHANGES.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES packaging/NOTICES.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY examples/Handle_tunnel_loops/ DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples" COMPONENT doc)
+install(DIRECTORY doc/Handle_tunnel_loops/schemas DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT doc)
+install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc/html" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT doc OPTIONAL) # where Doxygen is
 
 install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets
   INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
@@ -51,5 +56,6 @@ install(FILES
   "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfig.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfigVersion.cmake"
   DESTINATION "${_htl_config_dir}")
+include(HTL_pkg_config)
 unset(_htl_config_dir)
 unset(_htl_for_all_machines)

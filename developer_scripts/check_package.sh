@@ -26,7 +26,7 @@ text_files() { files | grep -vE '\.(png|jpg|pdf)$'; }
 check_text() {
   local file
   text_files | while read -r file; do
-    ! grep -qP '\t' "$file" || complain "$file: a tab"
+    ! grep -qP '\t' "$file" || [[ "$file" == */debian/rules ]] || complain "$file: a tab" # make wants them
     ! grep -qP '[ \r]$' "$file" || complain "$file: a blank or a carriage return ends a line"
     iconv -f UTF-8 -t UTF-8 "$file" >/dev/null 2>&1 || complain "$file: not UTF-8"
     [ -z "$(tail -c 1 "$file")" ] || complain "$file: the last line does not end"
@@ -116,6 +116,25 @@ check_program_folders() {
       source=${source#"$folder/"}
       grep -qF "$source" "$list" || complain "$list: $source is not in it"
     done
+  done
+}
+
+# The version is told by the file VERSION; what cannot read it tells the same.
+check_versions() {
+  local version place file pattern
+  version=$(<VERSION)
+  [[ "$version" =~ ^[0-9]+\.[0-9]+\.[0-9]+$ ]] || complain "VERSION: not a version: $version"
+  for place in 'CHANGES.md:^## \K[0-9][^ ]*' 'CITATION.cff:^version: \K.*' \
+    'packaging/debian/changelog:^handle-tunnel-loops \(\K[^)]*' \
+    'packaging/vcpkg/vcpkg.json:"version": "\K[^"]*' \
+    'packaging/conda/meta.yaml:^{% set version = "\K[^"]*' \
+    'packaging/homebrew/handle-tunnel-loops.rb:/handle_tunnel_loops-\K[0-9.]+(?=\.tar\.gz)'; do
+    file=${place%%:*} pattern=${place#*:}
+    [ "$(grep -oPm 1 "$pattern" "$file")" = "$version" ] || complain "$file: the version is not $version"
+  done
+  # Where it is read, it is not written.
+  for file in CMakeLists.txt pyproject.toml setup.py packaging/vcpkg/portfile.cmake packaging/nix/default.nix packaging/docker/Dockerfile; do
+    ! grep -qF "$version" "$file" || complain "$file: tells the version, which is in the file VERSION"
   done
 }
 
@@ -210,6 +229,7 @@ check_headers
 check_header_code
 check_documentation_commands
 check_program_folders
+check_versions
 check_package_info
 check_device_headers
 check_dependencies

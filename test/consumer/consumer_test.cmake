@@ -1,20 +1,14 @@
 # Configures, builds and runs the consumer project in WORK_DIR; USE says how it finds the package, and
 # USES whether that is tried once or in all ways.
+include("${CMAKE_CURRENT_LIST_DIR}/program_of_readme.cmake")
+
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 file(REMOVE_RECURSE "${WORK_DIR}")
 
-# The first C++ block of the README. Semicolons and brackets would upset CMake's lists, so the
-# text is cut by position.
-file(READ "${PACKAGE_DIR}/README.md" program)
-string(FIND "${program}" "```cpp\n" begin)
-math(EXPR begin "${begin} + 7")
-string(SUBSTRING "${program}" ${begin} -1 program)
-string(FIND "${program}" "```" end)
-string(SUBSTRING "${program}" 0 ${end} program)
-file(WRITE "${WORK_DIR}/main.cpp" "${program}")
+htl_write_program_of_readme("${WORK_DIR}/main.cpp")
 
 set(configure "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/project"
   -G "${GENERATOR}" -DCMAKE_BUILD_TYPE=${CONFIG} "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
