@@ -128,7 +128,7 @@ check_versions() {
     'packaging/debian/changelog:^handle-tunnel-loops \(\K[^)]*' \
     'packaging/vcpkg/vcpkg.json:"version": "\K[^"]*' \
     'packaging/conda/meta.yaml:^{% set version = "\K[^"]*' \
-    'packaging/homebrew/handle-tunnel-loops.rb:/handle_tunnel_loops-\K[0-9.]+(?=\.tar\.gz)'; do
+    'packaging/homebrew/handle-tunnel-loops.rb:/handle-tunnel-loops-\K[0-9.]+(?=-source\.tar\.gz)'; do
     file=${place%%:*} pattern=${place#*:}
     [ "$(grep -oPm 1 "$pattern" "$file")" = "$version" ] || complain "$file: the version is not $version"
   done

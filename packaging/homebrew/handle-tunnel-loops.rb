@@ -2,7 +2,7 @@
 class HandleTunnelLoops < Formula
   desc "Handle and tunnel loops of triangle meshes"
   homepage "https://example.org/handle_tunnel_loops"
-  url "https://example.org/handle_tunnel_loops/handle_tunnel_loops-0.9.0.tar.gz"
+  url "https://example.org/handle_tunnel_loops/handle-tunnel-loops-0.9.0-source.tar.gz"
   sha256 "0000000000000000000000000000000000000000000000000000000000000000" # of the archive of the release
   license "GPL-3.0-or-later"
 

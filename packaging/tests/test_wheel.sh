@@ -33,7 +33,7 @@ unset PYTHONPATH PYTHONHOME LD_LIBRARY_PATH
 environment=$folder/environment/bin
 "$environment/pip" install --quiet --no-index --no-deps "$wheel"
 
-for licence in LICENSE NOTICES.md; do
+for licence in LICENSE NOTICES; do
   [ -s "$folder"/environment/lib/python*/site-packages/handle_tunnel_loops-*.dist-info/$licence ] ||
     { echo "The wheel lacks $licence" >&2; exit 1; }
 done

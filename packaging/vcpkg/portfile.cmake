@@ -1,7 +1,7 @@
 # A port for vcpkg, to lie beside others of an overlay: vcpkg install handle-tunnel-loops --overlay-ports=packaging.
 vcpkg_download_distfile(archive
-  URLS "https://example.org/handle_tunnel_loops/handle_tunnel_loops-${VERSION}.tar.gz"
-  FILENAME "handle_tunnel_loops-${VERSION}.tar.gz"
+  URLS "https://example.org/handle_tunnel_loops/handle-tunnel-loops-${VERSION}-source.tar.gz"
+  FILENAME "handle-tunnel-loops-${VERSION}-source.tar.gz"
   SHA512 00000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000)
 vcpkg_extract_source_archive(SOURCE_PATH ARCHIVE "${archive}")
 
@@ -24,4 +24,4 @@ if("tool" IN_LIST FEATURES)
 endif()
 
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
-vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE" "${SOURCE_PATH}/packaging/NOTICES.md")
+vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE" "${SOURCE_PATH}/packaging/NOTICES")

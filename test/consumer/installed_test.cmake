@@ -17,7 +17,7 @@ file(REMOVE_RECURSE "${WORK_DIR}")
 set(prefix "${WORK_DIR}/prefix")
 run("${CMAKE_COMMAND}" --install "${PACKAGE_BUILD_DIR}" --prefix "${prefix}" --config ${CONFIG})
 
-set(expected LICENSE NOTICES.md README.md CHANGES.md CITATION.cff schemas/loops.schema.json
+set(expected LICENSE NOTICES README.md CHANGES.md CITATION.cff schemas/loops.schema.json
   examples/CMakeLists.txt examples/handle_tunnel_loops_example.cpp examples/data/triple_torus.off)
 if(HAS_MANUAL)
   list(APPEND expected html/index.html html/loops.png)
