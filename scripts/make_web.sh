@@ -24,14 +24,12 @@ compile() {
     -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DCMAKE_CXX_FLAGS="$flags" \
     -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY \
     -DCGAL_DIR="$prefix/share/cmake/CGAL" -DCGAL_DISABLE_GMP=ON \
-    -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$prefix/include" -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON \
+    -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$prefix/include" -DHTL_THREADS=NONE \
     -DHTL_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf -DHTL_STB="$prefix/include" \
     -DHTL_CUDA=OFF -DHTL_PYTHON=OFF -DHTL_BUILD_TESTS=OFF -DHTL_BUILD_EXAMPLES=OFF \
     -DHTL_BUILD_BENCHMARKS=OFF -DHTL_INSTALL=OFF
   cmake --build "$build/tool" --target htloops --parallel "$(nproc)"
 }
-
-version() { sed -n 's/^ *VERSION \([0-9.]*\)$/\1/p' CMakeLists.txt; }
 
 make_page() {
   local made="$build/page"
@@ -40,9 +38,8 @@ make_page() {
   esbuild src/web/page/page_worker.js --bundle --minify --log-level=warning \
     --alias:htloops="$PWD/$build/tool/bin/htloops.js" --outfile="$made/worker"
   esbuild src/web/page/app.js --bundle --minify --format=esm --log-level=warning --outfile="$made/script"
-  version >"$made/version"
   node src/web/assemble.js src/web/page/app.html "$folder/index.html" style=src/web/page/app.css \
-    module="$made/module" worker="$made/worker" script="$made/script" version="$made/version"
+    module="$made/module" worker="$made/worker" script="$made/script" version=VERSION
 }
 
 make_package() {
@@ -50,7 +47,7 @@ make_package() {
   rm -rf "$made"
   mkdir -p "$made"
   cp src/web/module/* "$build"/tool/bin/htloops.{js,wasm} LICENSE packaging/NOTICES packaging/npm/README.md "$made"
-  sed "s/@version@/$(version)/" packaging/npm/package.json >"$made/package.json"
+  sed "s/@version@/$(<VERSION)/" packaging/npm/package.json >"$made/package.json"
   (cd "$made" && npm pack --silent --pack-destination "$folder" >/dev/null)
 }
 

@@ -14,13 +14,9 @@
 #include "app/solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Thread_limit.h>
 
 #include <pybind11/pybind11.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-#endif
 
 #include <atomic>
 #include <functional>
@@ -63,11 +59,7 @@ template <typename Compute> auto compute(int threads, const Watch& watch, const 
       throw CGAL::Handle_tunnel_loops::Interrupted_exception();
     }
   };
-#ifdef CGAL_LINKED_WITH_TBB
-  if(threads > 0 && threads < tbb::info::default_concurrency())
-    return tbb::task_arena(threads).execute(answer_if_wanted);
-#endif
-  return answer_if_wanted();
+  return CGAL::Handle_tunnel_loops::internal::with_threads(threads, answer_if_wanted);
 }
 
 } // namespace htl_python

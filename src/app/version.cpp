@@ -11,7 +11,9 @@
 
 #include <CGAL/version.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
+#if defined(CGAL_HTL_STD_THREADS)
+#define HTLOOPS_THREADS "with threads"
+#elif defined(CGAL_LINKED_WITH_TBB)
 #define HTLOOPS_THREADS "with threads (TBB)"
 #else
 #define HTLOOPS_THREADS "without threads"

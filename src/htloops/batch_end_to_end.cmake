@@ -161,3 +161,21 @@ endif()
 
 file(GLOB_RECURSE unfinished "${FOLDER}/*.part-*")
 expect_equal("${unfinished}" "")
+
+# Where no thread can be started, all is done in one: a stack that is larger than the memory leaves no room
+# for another.
+find_program(sh sh)
+set(in_one_thread "${sh}" -c "ulimit -s 100000000 && ulimit -v 4000000 && exec \"$@\"" sh)
+execute_process(COMMAND ${in_one_thread} "${HTLOOPS}" --version
+  RESULT_VARIABLE code OUTPUT_QUIET ERROR_QUIET) # sanitizers need more
+if(sh AND code EQUAL 0)
+  run(0 loops scans/a.off scans/b.off --csv expected.csv -q)
+  execute_process(COMMAND ${in_one_thread} "${HTLOOPS}" loops scans/a.off scans/b.off --jobs 2 --csv found.csv
+    WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code ERROR_VARIABLE errors OUTPUT_QUIET)
+  expect_equal("${code}" 0)
+  expect_match("${errors}" "^htloops: no more threads can be started than 1, for as many meshes at a time\n$")
+  foreach(name IN ITEMS expected found)
+    file(READ "${FOLDER}/${name}.csv" ${name})
+  endforeach()
+  expect_equal("${found}" "${expected}")
+endif()

@@ -141,3 +141,16 @@ foreach(name_and_text IN ITEMS "=1+1.off|'=1[+]1.off" "@a.off|'@a.off" "line\nbr
     expect_match("${errors}" "^htloops: cannot write no/${printed}.json: [^\n]*\n$")
   endif()
 endforeach()
+
+# Whoever asks for threads where there are none is told so, once.
+run(0 --version)
+set(expected "^$")
+if(output MATCHES "without threads")
+  set(expected "^htloops: built without threads: --threads changes nothing\n$")
+endif()
+run(0 loops mesh.off --threads 2)
+expect_match("${errors}" "${expected}")
+run(0 loops mesh.off --threads 2 -q)
+expect_equal("${errors}" "")
+run(0 loops mesh.off --threads 1)
+expect_equal("${errors}" "")

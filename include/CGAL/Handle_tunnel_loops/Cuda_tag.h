@@ -54,7 +54,7 @@ The computation throws `Handle_tunnel_loops::No_device_exception` where there is
 driver, `Handle_tunnel_loops::Out_of_device_memory_exception` where its memory is too small, and
 `Handle_tunnel_loops::Device_exception` where something else fails.
 */
-struct Cuda_tag : public Parallel_if_available_tag
+struct Cuda_tag : public Handle_tunnel_loops::internal::Threads_if_available_tag
 {};
 
 /*!
@@ -67,7 +67,7 @@ processor. Should the device fail in the middle, the processor goes on from what
 `Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` says
 why it was not the device.
 */
-struct Cuda_if_available_tag : public Parallel_if_available_tag
+struct Cuda_if_available_tag : public Handle_tunnel_loops::internal::Threads_if_available_tag
 {};
 
 namespace Handle_tunnel_loops::internal {
@@ -83,7 +83,7 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : device::Passes_if_ther
 #else
 
 // Depends on a type, so that nobody is refused who does not use it.
-template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Parallel_if_available_tag>
+template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Threads_if_available_tag>
 {
   static std::unique_ptr<Passes> make(const Flat_mesh&, std::vector<Index>, const Pass_options&) {
     static_assert(std::is_void<Tag>::value,
@@ -95,7 +95,7 @@ template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Parallel_if_a
 template <> struct Passes_of_tag<Cuda_tag> : Passes_without_cuda<Cuda_tag>
 {};
 
-template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Parallel_if_available_tag>
+template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Threads_if_available_tag>
 {
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {

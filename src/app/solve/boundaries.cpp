@@ -9,6 +9,8 @@
 
 #include "solve/boundaries.h"
 
+#include "solve/progress.h"
+
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/boundary_loops.h>
 
@@ -25,12 +27,11 @@ const Loop* Boundaries::waist(std::size_t curve) const {
 }
 
 Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists) {
-  using Tag = CGAL::Parallel_if_available_tag;
   Boundaries boundaries;
-  CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.curves));
+  CGAL::boundary_loops<All_threads_tag>(mesh, std::back_inserter(boundaries.curves));
   if(do_find_waists)
-    CGAL::boundary_loops<Tag>(mesh, std::back_inserter(boundaries.waists),
-                              CGAL::parameters::basis_kind(Basis_kind::SHORTEST));
+    CGAL::boundary_loops<All_threads_tag>(mesh, std::back_inserter(boundaries.waists),
+                                          CGAL::parameters::basis_kind(Basis_kind::SHORTEST));
   return boundaries;
 }
 

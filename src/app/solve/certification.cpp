@@ -10,6 +10,7 @@
 #include "solve/certification.h"
 
 #include "solve/boundaries.h"
+#include "solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
@@ -63,7 +64,7 @@ internal::Flat_skeleton as_arrays(const Skeleton_lines& skeleton) {
 Certificate certify(const Mesh& mesh, const Pairs& pairs, Basis_kind basis_kind, bool with_sides) {
   CGAL::Handle_tunnel_loops::Solver_options options;
   options.do_compute_linking = with_sides;
-  return CGAL::certify_handle_tunnel_loops<CGAL::Parallel_if_available_tag>(
+  return CGAL::certify_handle_tunnel_loops<All_threads_tag>(
       mesh, pairs,
       CGAL::parameters::basis_kind(basis_kind, CGAL::parameters::solver_options(options)));
 }
@@ -80,7 +81,7 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
 
 bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {
   Watch_by_function watch(look);
-  const auto execution = internal::execution_of<CGAL::Parallel_if_available_tag>();
+  const auto execution = internal::execution_of<All_threads_tag>();
   return internal::touches_itself(execution.watched_by(watch), mesh, get(CGAL::vertex_point, mesh),
                                   get(boost::vertex_index, mesh));
 }
@@ -91,8 +92,7 @@ certify_skeleton(const Mesh& mesh,
                  const Pairs& pairs,
                  const std::function<void()>& look) {
   Watch_by_function watch(look);
-  const auto execution =
-      internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
+  const auto execution = internal::execution_of<All_threads_tag>().watched_by(watch);
   const auto vertex_index = get(boost::vertex_index, mesh);
   const Prepared_mesh surface(execution, mesh, vertex_index, get(CGAL::vertex_point, mesh));
   const std::vector<internal::Vector> places = internal::places_of_vertices(execution, surface);
@@ -110,8 +110,7 @@ bool note_self_contact(const Mesh& mesh,
                        CGAL::Handle_tunnel_loops::Skeleton_certificate& certificate,
                        const std::function<void()>& look) {
   Watch_by_function watch(look);
-  const auto execution =
-      internal::execution_of<CGAL::Parallel_if_available_tag>().watched_by(watch);
+  const auto execution = internal::execution_of<All_threads_tag>().watched_by(watch);
   const Prepared_mesh surface(execution, mesh, get(boost::vertex_index, mesh),
                               get(CGAL::vertex_point, mesh));
   const bool touches_itself = touches_itself_with_caps(execution, surface);

@@ -47,8 +47,6 @@ double length_of(const Mesh& mesh, Mesh::Edge_index e) {
       CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
 }
 
-using Tag = CGAL::Parallel_if_available_tag;
-
 // The loops of the pairs, and of each component all boundary curves but the last: as
 // `CGAL::dual_cuts()` has them.
 std::vector<Loop> basis_of(const Mesh& mesh,
@@ -82,14 +80,14 @@ std::vector<Mesh::Edge_index> edges_of_cut(const Mesh& mesh,
       options.do_cut_spheres,
       parameters::callback(progress.callback()).vertex_is_constrained_map(cones));
   if(options.avoided.empty()) {
-    CGAL::cut_to_disk<Tag>(mesh, std::back_inserter(edges), np);
+    CGAL::cut_to_disk<All_threads_tag>(mesh, std::back_inserter(edges), np);
     return edges;
   }
   const auto weight = [&](Mesh::Edge_index e) {
     return options.avoided[e.idx()] ? (std::numeric_limits<double>::infinity)()
                                     : length_of(mesh, e);
   };
-  CGAL::cut_to_disk<Tag>(
+  CGAL::cut_to_disk<All_threads_tag>(
       mesh, std::back_inserter(edges),
       parameters::edge_weight_map(boost::make_function_property_map<Mesh::Edge_index>(weight), np));
   return edges;
@@ -155,12 +153,13 @@ Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& prog
   progress.start("dual cuts");
   Dual_cuts result;
   Pairs pairs;
-  CGAL::Handle_tunnel_loops_solver<Mesh> solver(Tag(), mesh, CGAL::parameters::default_values());
-  solver.find_loops<Tag>(std::back_inserter(pairs),
-                         CGAL::parameters::callback(progress.callback()));
+  CGAL::Handle_tunnel_loops_solver<Mesh> solver(All_threads_tag(), mesh,
+                                                CGAL::parameters::default_values());
+  solver.find_loops<All_threads_tag>(std::back_inserter(pairs),
+                                     CGAL::parameters::callback(progress.callback()));
   result.statistics = solver.statistics();
   std::vector<std::vector<std::pair<Mesh::Halfedge_index, std::int64_t>>> cuts;
-  CGAL::dual_cuts<Tag>(mesh, pairs, std::back_inserter(cuts));
+  CGAL::dual_cuts<All_threads_tag>(mesh, pairs, std::back_inserter(cuts));
   result.boundaries = find_boundaries(mesh, false).curves;
   const std::vector<Loop> basis =
       basis_of(mesh, pairs, result.boundaries, solver.number_of_components());

@@ -21,14 +21,14 @@ namespace htloops {
 
 Bores find_bores(const Mesh& mesh, const Pairs& pairs) {
   Bores bores;
-  CGAL::round_bores<CGAL::Parallel_if_available_tag>(mesh, pairs, std::back_inserter(bores));
+  CGAL::round_bores<All_threads_tag>(mesh, pairs, std::back_inserter(bores));
   return bores;
 }
 
 Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, Progress& progress) {
   Measures measures;
   progress.start("measures");
-  CGAL::handle_measures<CGAL::Parallel_if_available_tag>(
+  CGAL::handle_measures<All_threads_tag>(
       mesh, pairs, std::back_inserter(measures),
       CGAL::parameters::relative_precision(precision,
                                            CGAL::parameters::callback(progress.callback())));
@@ -39,8 +39,8 @@ Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, P
 Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress) {
   Costs costs;
   progress.start("costs");
-  CGAL::removal_costs<CGAL::Parallel_if_available_tag>(
-      mesh, pairs, std::back_inserter(costs), CGAL::parameters::callback(progress.callback()));
+  CGAL::removal_costs<All_threads_tag>(mesh, pairs, std::back_inserter(costs),
+                                       CGAL::parameters::callback(progress.callback()));
   progress.end();
   return costs;
 }

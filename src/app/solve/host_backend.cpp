@@ -11,6 +11,6 @@
 
 namespace htloops {
 
-const Backend host_backend = library_backend<CGAL::Parallel_if_available_tag>("host", true);
+const Backend host_backend = library_backend<All_threads_tag>("host", true);
 
 } // namespace htloops

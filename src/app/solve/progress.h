@@ -10,12 +10,7 @@
 #ifndef HTLOOPS_PROGRESS_H
 #define HTLOOPS_PROGRESS_H
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-
-#include <cstddef>
-#endif
+#include <CGAL/Handle_tunnel_loops/internal/support/Thread_limit.h>
 
 #include <chrono>
 #include <functional>
@@ -56,30 +51,10 @@ private:
   Clock::time_point begin_ = Clock::now();
 };
 
-/// While an object lives, parallel work uses no more than a number of threads.
-class Thread_limit
-{
-public:
-#ifdef CGAL_LINKED_WITH_TBB
-  /// 0 means as many as the machine has.
-  explicit Thread_limit(int number_of_threads)
-      : number_of_threads_(number_of_threads > 0 ? number_of_threads
-                                                 : tbb::info::default_concurrency())
-      , control_(tbb::global_control::max_allowed_parallelism,
-                 static_cast<std::size_t>(number_of_threads_)) {}
-#else
-  /// There is one thread, whatever is asked for.
-  explicit Thread_limit(int) {}
-#endif
+using CGAL::Handle_tunnel_loops::internal::Thread_limit;
 
-  int number_of_threads() const { return number_of_threads_; }
-
-private:
-  int number_of_threads_ = 1;
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::global_control control_;
-#endif
-};
+/// what asks for all threads there are.
+using All_threads_tag = CGAL::Handle_tunnel_loops::internal::Threads_if_available_tag;
 
 } // namespace htloops
 

@@ -42,7 +42,7 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
   answer.values.assign(mesh.number_of_vertices(), 0.);
   const Stopwatch stopwatch;
   if(has_values) {
-    answer.statistics = CGAL::reeb_graph_of_function<CGAL::Parallel_if_available_tag>(
+    answer.statistics = CGAL::reeb_graph_of_function<All_threads_tag>(
         mesh, map_of_vertices(mesh, options.values), answer.graph,
         reeb_parameters(mesh, options, progress, answer));
     answer.backend = "host";
@@ -50,7 +50,7 @@ Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progr
     choose_backend(options.backend).diffuse(mesh, options, progress, answer);
   if(options.do_draw_inside) {
     progress.start("drawing");
-    answer.embedding = CGAL::embed_reeb_graph<CGAL::Parallel_if_available_tag>(mesh, answer.graph);
+    answer.embedding = CGAL::embed_reeb_graph<All_threads_tag>(mesh, answer.graph);
   }
   answer.total_seconds = stopwatch.seconds();
   progress.end();

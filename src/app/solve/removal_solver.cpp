@@ -52,7 +52,7 @@ std::function<bool(const Changeable_pair&)> filter_of(const Removal_options& opt
 template <typename NamedParameters>
 Removal_report remove_as_wanted(Changeable_mesh& mesh, const NamedParameters& np) {
   try {
-    return CGAL::remove_handles<CGAL::Parallel_if_available_tag>(mesh, np);
+    return CGAL::remove_handles<All_threads_tag>(mesh, np);
   } catch(const CGAL::Handle_tunnel_loops::Invalid_mesh_exception&) {
     throw;
   } catch(const std::invalid_argument& reason) {

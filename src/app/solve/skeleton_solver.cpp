@@ -236,7 +236,7 @@ find_skeleton(const Mesh& mesh, const Skeleton_options& options, Progress& progr
   progress.start("skeleton");
   const Stopwatch stopwatch;
   const CGAL::Handle_tunnel_loops::Skeleton_options& how = options;
-  answer.statistics = CGAL::curve_skeleton<CGAL::Parallel_if_available_tag>(
+  answer.statistics = CGAL::curve_skeleton<All_threads_tag>(
       mesh, answer.graph,
       CGAL::parameters::skeleton_options(how, CGAL::parameters::callback(progress.callback())));
   answer.vertex_point = points_of_vertices(mesh, answer.graph);

@@ -28,7 +28,7 @@ Throats find_throats(const Mesh& mesh,
   throats.are_wanted = true;
   throats.are_sides_known = certificate.handles_bound_inside_alone == pairs.size() &&
                             certificate.tunnels_bound_outside_alone == pairs.size();
-  CGAL::throats<CGAL::Parallel_if_available_tag>(
+  CGAL::throats<All_threads_tag>(
       mesh, pairs, std::back_inserter(throats.all),
       CGAL::parameters::through_vertices(through,
                                          CGAL::parameters::least_prominence(least_prominence)));

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <mutex>
 #include <optional>
@@ -108,6 +109,17 @@ private:
   int exit_code_ = 0; // of the first that failed
 };
 
+// As many as can be had: the system, or what there is in its place, may refuse to start one.
+std::vector<std::thread> started_threads(std::size_t number, const std::function<void()>& work) {
+  std::vector<std::thread> threads;
+  try {
+    while(threads.size() < number)
+      threads.emplace_back(work);
+  } catch(const std::system_error&) {
+  }
+  return threads;
+}
+
 // A mesh at a time in each of some threads, which share what threads there are besides.
 void solve_all(Loops_options options, Line_printer& printer) {
   const std::size_t count = options.mesh_files.size();
@@ -133,9 +145,11 @@ void solve_all(Loops_options options, Line_printer& printer) {
       first_failure = outcome;
     }
   };
-  std::vector<std::thread> threads;
-  for(int i = 1; i < jobs; ++i)
-    threads.emplace_back(work);
+  std::vector<std::thread> threads = started_threads(static_cast<std::size_t>(jobs - 1), work);
+  if(!options.is_quiet && threads.size() + 1 < static_cast<std::size_t>(jobs))
+    std::fprintf(stderr,
+                 "htloops: no more threads can be started than %zu, for as many meshes at a time\n",
+                 threads.size() + 1);
   work();
   for(std::thread& thread : threads)
     thread.join();

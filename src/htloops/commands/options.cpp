@@ -19,6 +19,8 @@
 #include "app/write/pair_listing.h"
 #include "app/write/tables.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -123,6 +125,14 @@ void check_files(const CLI::App& app) {
     check_is_no_option(*output);
     check_writable(output->name);
   }
+}
+
+void show_note_on_threads(const CLI::App& command) {
+  const CLI::Option* const threads = command.get_option_no_throw("--threads");
+  if(CGAL::Handle_tunnel_loops::internal::has_threads || threads == nullptr || threads->empty() ||
+     threads->as<int>() == 1 || command.count("--quiet") > 0)
+    return;
+  std::fputs("htloops: built without threads: --threads changes nothing\n", stderr);
 }
 
 void add_mesh_argument(CLI::App& command, Mesh_options& options, const std::string& what) {

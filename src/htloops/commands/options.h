@@ -37,6 +37,9 @@ constexpr char output_file[] = "output file";
 /// overwrite an input or another output.
 void check_files(const CLI::App& app);
 
+/// says on the standard error that threads were asked for in vain, if they were.
+void show_note_on_threads(const CLI::App& command);
+
 // Options that are declared here stand in the help where `CLI::App::option_defaults()` says.
 
 /// Options of all commands that read a mesh.

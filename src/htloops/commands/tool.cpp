@@ -145,6 +145,7 @@ int run_command(const CLI::App& app, const Command& command) {
   const Interrupt_guard guard;
   const Outcome outcome = outcome_of([&] {
     check_files(app);
+    show_note_on_threads(begun_command(app));
     command();
   });
   return outcome.exit_code == 0 ? 0 : report(outcome.exit_code, outcome.message);

@@ -206,7 +206,7 @@ struct Passes_on_device
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return std::make_unique<Field_passes<Solver>>(
-        execution_of<Parallel_if_available_tag>(), mesh, std::move(seeds), options,
+        execution_of<Threads_if_available_tag>(), mesh, std::move(seeds), options,
         [&mesh, where = options.device] { return make_cuda_solver(mesh, where); },
         least_vertices_for_cells);
   }
@@ -225,7 +225,7 @@ struct Passes_if_there_is_a_device
 
   static std::unique_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    const Execution execution = execution_of<Parallel_if_available_tag>();
+    const Execution execution = execution_of<Threads_if_available_tag>();
     return std::make_unique<Field_passes<Fallback_backend>>(
         execution, mesh, std::move(seeds), options,
         [execution, &mesh, where = options.device] {

@@ -22,6 +22,10 @@
 #define CGAL_HTL_CORE inline
 #endif
 
+// Threads come from TBB where the program is linked with it, which CGAL's macro
+// CGAL_LINKED_WITH_TBB says; or where CGAL_HTL_STD_THREADS is defined, from the package's own
+// Thread_pool.
+
 /// \file host_device.h
 /// Marks functions that the processor and a CUDA device run alike, and before them such templates
 /// as may also be given functions of the processor alone; loops of few rounds whose loads a

@@ -42,6 +42,16 @@ protected:
   ~Watch() = default;
 };
 
+/// Whether there can be more threads than one, and the tag that asks for all of them: not CGAL's
+/// own, which knows of TBB alone.
+#if defined(CGAL_LINKED_WITH_TBB) || defined(CGAL_HTL_STD_THREADS)
+constexpr bool has_threads = true;
+using Threads_if_available_tag = Parallel_tag;
+#else
+constexpr bool has_threads = false;
+using Threads_if_available_tag = Sequential_tag;
+#endif
+
 /// How to do what can be done in any order: in the calling thread, or in all threads that there
 /// are. It is the first argument of whatever makes use of it, and no answer depends on it. All that
 /// is done with one that is watched ends soon when the watch says so, by an exception.
@@ -51,12 +61,10 @@ public:
   /// in the calling thread.
   constexpr Execution() = default;
 
-  /// in all threads, if there is a library for that.
+  /// in all threads, if there can be several.
   static constexpr Execution parallel() {
     Execution execution;
-#ifdef CGAL_LINKED_WITH_TBB
-    execution.is_parallel_ = true;
-#endif
+    execution.is_parallel_ = has_threads;
     return execution;
   }
 
@@ -108,9 +116,8 @@ private:
 /// the execution that a concurrency tag stands for.
 template <typename ConcurrencyTag> constexpr Execution execution_of() {
   constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!is_parallel, "Parallel_tag is used but the program is not linked with TBB");
-#endif
+  static_assert(has_threads || !is_parallel,
+                "Parallel_tag is used but the program is not linked with TBB");
   return is_parallel ? Execution::parallel() : Execution();
 }
 

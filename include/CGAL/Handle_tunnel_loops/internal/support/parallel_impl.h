@@ -14,7 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
+#if defined(CGAL_HTL_STD_THREADS)
+#include <CGAL/Handle_tunnel_loops/internal/support/Thread_pool.h>
+#elif defined(CGAL_LINKED_WITH_TBB)
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -25,7 +27,10 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE std::size_t Execution::number_of_threads() const {
-#ifdef CGAL_LINKED_WITH_TBB
+#if defined(CGAL_HTL_STD_THREADS)
+  if(is_parallel_)
+    return Thread_pool::instance().team().most;
+#elif defined(CGAL_LINKED_WITH_TBB)
   if(is_parallel_)
     return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
 #endif
@@ -33,7 +38,10 @@ CGAL_HTL_CORE std::size_t Execution::number_of_threads() const {
 }
 
 CGAL_HTL_CORE void Execution::for_each_range(std::size_t number, const Range_function& f) const {
-#ifdef CGAL_LINKED_WITH_TBB
+#if defined(CGAL_HTL_STD_THREADS)
+  if(is_parallel_)
+    return Thread_pool::instance().run(number, f.function, f.call);
+#elif defined(CGAL_LINKED_WITH_TBB)
   if(is_parallel_)
     return tbb::parallel_for(std::size_t(0), number, [f](std::size_t i) { f.call(f.function, i); });
 #endif

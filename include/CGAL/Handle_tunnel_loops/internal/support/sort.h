@@ -18,28 +18,86 @@
 
 #include <CGAL/assertions.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_sort.h>
-#endif
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// sorts; not stable.
+/// how many of the first `n` elements of two sorted ranges, merged, are of the first one, which has
+/// those that are equal before the second one.
+template <typename Iterator, typename Less>
+std::size_t
+part_of_first(std::size_t n, Iterator first, Iterator second, Iterator end, const Less& less) {
+  const auto size = static_cast<std::size_t>(second - first);
+  const auto other_size = static_cast<std::size_t>(end - second);
+  std::size_t least = n - (std::min)(n, other_size), most = (std::min)(n, size);
+  while(least < most) {
+    const std::size_t i = least + (most - least) / 2;
+    if(less(second[n - i - 1], first[i]))
+      most = i;
+    else
+      least = i + 1;
+  }
+  return least;
+}
+
+/// merges sorted ranges, of which each begins where `bounds` says, the first with the second, the
+/// third with the fourth, and so on, to as many pieces as there are ranges.
+template <typename Iterator, typename Target, typename Less>
+void merge_pairs(Execution execution,
+                 const std::vector<std::size_t>& bounds,
+                 std::size_t width,
+                 Iterator from,
+                 Target to,
+                 const Less& less) {
+  const std::size_t parts = bounds.size() - 1, pieces = 2 * width;
+  for_each_index(
+      execution, parts,
+      [&](std::size_t part) {
+        const std::size_t begin = part / pieces * pieces, piece = part % pieces;
+        const Iterator first = from + bounds[begin], second = from + bounds[begin + width],
+                       end = from + bounds[begin + pieces];
+        const auto size = static_cast<std::size_t>(end - first);
+        const std::size_t n = size * piece / pieces, m = size * (piece + 1) / pieces;
+        const std::size_t i = part_of_first(n, first, second, end, less);
+        const std::size_t j = part_of_first(m, first, second, end, less);
+        std::merge(first + i, first + j, second + (n - i), second + (m - j), to + bounds[begin] + n,
+                   less);
+      },
+      1);
+}
+
+/// sorts; equal elements keep their order, so that the result is the same for any number of
+/// threads.
 template <typename Iterator, typename Less>
 void sort(Execution execution, Iterator first, Iterator last, const Less& less) {
-#ifdef CGAL_LINKED_WITH_TBB
-  if(execution.is_parallel())
-    return tbb::parallel_sort(first, last, less);
-#endif
-  (void)execution;
-  std::sort(first, last, less);
+  constexpr std::size_t least_part = 2048;
+  const auto n = static_cast<std::size_t>(last - first);
+  std::size_t parts = 1; // a power of four, so that what is merged ends where it began
+  while(parts < execution.number_of_threads() && n / (4 * parts) >= least_part)
+    parts *= 4;
+  if(parts == 1)
+    return std::stable_sort(first, last, less);
+
+  std::vector<std::size_t> bounds(parts + 1);
+  for(std::size_t part = 0; part <= parts; ++part)
+    bounds[part] = n / parts * part + (std::min)(part, n % parts);
+  for_each_index(
+      execution, parts,
+      [&](std::size_t part) {
+        std::stable_sort(first + bounds[part], first + bounds[part + 1], less);
+      },
+      1);
+  std::vector<typename std::iterator_traits<Iterator>::value_type> merged(first, last);
+  for(std::size_t width = 1; width < parts; width *= 4) {
+    merge_pairs(execution, bounds, width, first, merged.begin(), less);
+    merge_pairs(execution, bounds, 2 * width, merged.begin(), first, less);
+  }
 }
 
 /// sorts items, of which there are fewer than 2^32, by one digit of their keys; those with the same

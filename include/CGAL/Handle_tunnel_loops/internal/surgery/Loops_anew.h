@@ -289,7 +289,7 @@ public:
     const Prepared_surface<Surgery_graph, Surgery_graph::Point_map> prepared(
         execution, graph_, Surgery_graph::Vertex_index_map(), graph_.point());
     Loop_request wanted;
-    wanted.make_passes = execution.is_parallel() ? &make_passes<Parallel_if_available_tag>
+    wanted.make_passes = execution.is_parallel() ? &make_passes<Threads_if_available_tag>
                                                  : &make_passes<Sequential_tag>;
     const std::vector<Flat_surface::Point> coordinates = prepared.coordinates(execution);
     Loops_on_arrays loops(coordinates);
