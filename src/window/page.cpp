@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -81,6 +82,9 @@ std::string scene_json(const Scene& scene,
   for(std::size_t i = 0; i < encoded.size(); ++i)
     surfaces.push_back(json_of(scene, scene.surfaces[i], encoded[i]));
   const Table& table = scene.table;
+  for(const std::vector<std::string>& row : table.rows)
+    if(row.size() != table.columns.size())
+      throw std::logic_error("a row of a page has not a cell for each column");
   const Json json = {{"name", scene.name},
                      {"size", grid.size()},
                      {"view", scene.view},

@@ -26,8 +26,12 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace htloops {
 namespace {
@@ -220,7 +224,10 @@ void add_row(htl_window::Table& table, const std::string& name, const Removed_ha
 }
 
 void add_row(htl_window::Table& table, const std::string& name, const Refused_handle& handle) {
-  table.rows.push_back({name, "refused", formatted("%.6g", handle.length), "", "", handle.reason});
+  std::vector<std::string> cells = {name, "refused", formatted("%.6g", handle.length)};
+  cells.resize(std::size(removal_columns));
+  cells.push_back(handle.reason);
+  table.rows.push_back(std::move(cells));
   table.lengths.push_back(handle.length);
 }
 
@@ -347,8 +354,9 @@ void write_removal_page(const std::string& file, const View& view, const Removal
   scene.paragraphs = lines_of(summary(shown.report));
   scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
   add_groups_of_loops(scene);
-  scene.table.columns = {{"pair", true}, {"by", false},    {"length", true},
-                         {"area", true}, {"volume", true}, {"why not", false}};
+  for(const Table_column& column : removal_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.table.columns.push_back({"why not", false});
   scene.table.choice = "--pairs";
   add_handles(scene, shown.pairs, shown.report.removed);
   for(htl_window::Line& line : scene.lines)

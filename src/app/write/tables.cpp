@@ -209,10 +209,6 @@ std::string words_of_certificate(const Skeleton_answer& answer) {
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
 
-constexpr Table_column removal_columns[] = {
-    {"pair", 5, true},    {"by", 5, false}, {"length", 12, true}, {"area", 12, true},
-    {"volume", 12, true}, {"cap", 6, true}, {"moved", 7, true},   {"angle", 5, true}};
-
 std::string row(const Removed_handle& handle, const std::string& name) {
   return row(removal_columns, cells_of(handle, name));
 }

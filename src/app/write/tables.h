@@ -145,8 +145,11 @@ void write_arc_csv(const std::string& target, const Skeleton_answer& answer);
 /// the word for a way, as it stands in files and messages.
 const char* name_of(Removal_way way);
 
-/// what stands in the first columns of a table of removals; `name` is the number of a pair, or
-/// neck.
+constexpr Table_column removal_columns[] = {
+    {"pair", 5, true},    {"by", 5, false}, {"length", 12, true}, {"area", 12, true},
+    {"volume", 12, true}, {"cap", 6, true}, {"moved", 7, true},   {"angle", 5, true}};
+
+/// what stands in the columns; `name` is the number of a pair, or neck.
 std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name);
 
 /// tables of the handles and necks that were removed, and of those that were refused, for a person.
