@@ -26,6 +26,7 @@
 #include <memory>
 #include <new>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -173,6 +174,8 @@ Outcome outcome_of(const std::function<void()>& action) {
   } catch(const Out_of_device_memory_exception& exception) {
     return ended_by(Exit_code::NO_BACKEND, exception.what());
   } catch(const std::bad_alloc&) {
+    return ended_by(Exit_code::NOT_CERTIFIED, "out of memory");
+  } catch(const std::length_error&) { // more than there can be
     return ended_by(Exit_code::NOT_CERTIFIED, "out of memory");
   } catch(const std::exception& exception) {
     return ended_by(Exit_code::NOT_CERTIFIED, exception.what());
