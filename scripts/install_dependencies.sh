@@ -20,7 +20,7 @@ all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshi
   python3-pil python3-distributed)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
 web=(cmake ninja-build emscripten esbuild dpkg-dev libcgal-dev libeigen3-dev libcli11-dev nlohmann-json3-dev
-  libtinygltf-dev libstb-dev fonts-dejavu-core)
+  libtinygltf-dev libstb-dev fonts-dejavu-core python3-fonttools zopfli)
 command -v npm >/dev/null || web+=(npm) # that of Debian does not go with a node that is not
 packages=("${tests[@]}" debhelper dh-python dpkg-dev lintian debootstrap autopkgtest doxygen pkg-config
   python3-pip python3-setuptools python3-wheel python3-venv)

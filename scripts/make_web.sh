@@ -16,6 +16,13 @@ scripts/install_dependencies.sh web
 # WebAssembly has no modes of rounding: CGAL has to know. Nor has its C++ library GMP.
 flags="-fwasm-exceptions -DCGAL_DISABLE_GMP=1 -DCGAL_ALWAYS_ROUND_TO_NEAREST"
 
+# Pictures have letters of ASCII only. What is left of the font has no name: that is its own.
+make_font() {
+  [ -f "$build/font.ttf" ] || /usr/bin/python3 -m fontTools.subset \
+    /usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf --output-file="$build/font.ttf" \
+    --unicodes=U+20-7E --no-hinting --name-IDs= --notdef-outline --drop-tables+=FFTM
+}
+
 compile() {
   local prefix="$PWD/$build/prefix"
   scripts/make_cross_prefix.sh "$prefix" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$emscripten" \
@@ -25,7 +32,7 @@ compile() {
     -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY \
     -DCGAL_DIR="$prefix/share/cmake/CGAL" -DCGAL_DISABLE_GMP=ON \
     -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$prefix/include" -DHTL_THREADS=NONE \
-    -DHTL_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf -DHTL_STB="$prefix/include" \
+    -DHTL_FONT="$PWD/$build/font.ttf" -DHTL_STB="$prefix/include" \
     -DHTL_CUDA=OFF -DHTL_PYTHON=OFF -DHTL_BUILD_TESTS=OFF -DHTL_BUILD_EXAMPLES=OFF \
     -DHTL_BUILD_BENCHMARKS=OFF -DHTL_INSTALL=OFF
   cmake --build "$build/tool" --target htloops --parallel "$(nproc)"
@@ -34,7 +41,7 @@ compile() {
 make_page() {
   local made="$build/page"
   mkdir -p "$made" "$folder"
-  gzip -9 --no-name --stdout "$build/tool/bin/htloops.wasm" | base64 --wrap=0 >"$made/module"
+  zopfli --i5 -c "$build/tool/bin/htloops.wasm" | base64 --wrap=0 >"$made/module"
   esbuild src/web/page/page_worker.js --bundle --minify --log-level=warning \
     --alias:htloops="$PWD/$build/tool/bin/htloops.js" --outfile="$made/worker"
   esbuild src/web/page/app.js --bundle --minify --format=esm --log-level=warning --outfile="$made/script"
@@ -51,6 +58,8 @@ make_package() {
   (cd "$made" && npm pack --silent --pack-destination "$folder" >/dev/null)
 }
 
+mkdir -p "$build"
+make_font
 compile
 make_page
 make_package

@@ -7,7 +7,7 @@ import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'n
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 
-import { bytesOf, comparable, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
+import { bytesOf, differenceOfFiles, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
 
 const packed = join(process.env.HTL_WEB, readdirSync(process.env.HTL_WEB).find(name => name.endsWith('.tgz')));
 const home = join(folder, 'empty');
@@ -40,7 +40,7 @@ test('the command gives the numbers of the native tool, to the last bit', () => 
     const { status, stderr } = command('loops', mesh, '-q', '-o', 'web.json', '--csv', 'web.csv', '--lines', 'web.obj');
     assert.equal(status, 0, `${mesh}: ${stderr}`);
     native('loops', mesh, '-q', '-o', 'native.json', '--csv', 'native.csv', '--lines', 'native.obj');
-    assert.deepEqual(comparable(bytesOf('web.json')), comparable(bytesOf('native.json')), mesh);
+    assert.equal(differenceOfFiles(bytesOf('web.json'), bytesOf('native.json')), null, mesh);
     assert.ok(bytesOf('web.obj').equals(bytesOf('native.obj')), mesh);
     assert.equal(nativeRun('check', mesh, 'web.json').exitCode, 0);
   }
@@ -81,7 +81,7 @@ test('pipes, folders and exit codes are as they are natively', () => {
   assert.deepEqual([ours.status, ours.stderr.toString()], [theirs.exitCode, theirs.messages]);
   const piped = spawnSync(join(home, 'node_modules/.bin/htloops'), ['loops', '-', '--format', 'off', '-qo', '-'],
                           { cwd: folder, input: bytesOf('torus.off') });
-  assert.deepEqual(comparable(piped.stdout), comparable(native('loops', '-q', 'torus.off', '-o', '-')));
+  assert.equal(differenceOfFiles(piped.stdout, native('loops', '-q', 'torus.off', '-o', '-')), null);
   assert.ok(!ours.stderr.toString().includes('\x1b'), 'no colours in a pipe');
   mkdirSync(join(folder, 'many'));
   for (const name of ['torus.off', 'lattice.obj'])
@@ -129,7 +129,7 @@ test('errors are those of the tool, and a signal ends a run', async () => {
 });
 
 test('no memory is said, and the next call is answered', async () => {
-  const { exitCode, messages } = await htl.run(['generate', 'torus', '--faces', '2000000000', '-o', 'x.off', '-q']);
+  const { exitCode, messages } = await htl.run(['generate', 'torus', '--faces', '600000000', '-o', 'x.off', '-q']);
   assert.notEqual(exitCode, 0);
   assert.match(messages, /memory/);
   assert.equal((await htl.run(['--version'])).exitCode, 0);

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { comparable, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
+import { differenceOfFiles, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
 
 const { default: puppeteer } = await import(
   pathToFileURL(createRequire(join(process.env.HTL_NODE_MODULES, '/')).resolve('puppeteer-core')));
@@ -47,19 +47,18 @@ before(async () => {
 
 after(() => browser?.close());
 
-const isIdle = () => page.waitForFunction(() => window.app.running === null, { timeout: 120000 });
 const message = () => page.$eval('#message', node => node.textContent);
 const viewer = async () => (await page.$('#viewer')).contentFrame();
 
-async function open(file) {
-  await (await page.$('#file')).uploadFile(join(folder, file));
-  await isIdle();
+// Waits until the page has done what an action makes it do.
+async function doing(action) {
+  const before = await page.evaluate(() => window.app.done);
+  await action();
+  await page.waitForFunction(count => window.app.done > count && !window.app.isBusy, { timeout: 120000 }, before);
 }
 
-async function press(selector) {
-  await page.click(selector);
-  await isIdle();
-}
+const open = file => doing(async () => (await page.$('#file')).uploadFile(join(folder, file)));
+const press = selector => doing(() => page.click(selector));
 
 async function isShown() {
   const frame = await viewer();
@@ -67,16 +66,15 @@ async function isShown() {
   return frame;
 }
 
-const drop = (name, text) => page.evaluate((fileName, content) => {
+const drop = (name, text) => doing(() => page.evaluate((fileName, content) => {
   const files = new DataTransfer();
   files.items.add(new File([content], fileName));
   document.dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
-}, name, text);
+}, name, text));
 
 async function saved(file) {
   const before = new Set(readdirSync(downloads));
-  await page.select('#save', file);
-  await isIdle();
+  await doing(() => page.select('#save', file));
   for (let i = 0; i < 100; ++i) {
     const found = readdirSync(downloads).find(name => !before.has(name) && !/\.(crdownload|part)$/.test(name));
     if (found)
@@ -87,8 +85,7 @@ async function saved(file) {
 }
 
 test('a mesh that is dropped gets its loops, as the native tool finds them', async () => {
-  await drop('bicycle.off', native('generate', 'bicycle', '--faces', '8000', '-o', '-', '-q').toString());
-  await isIdle();
+  await drop('bicycle.off', native('generate', 'bicycle', '--faces', '20000', '-o', '-', '-q').toString());
   assert.match(await message(), /genus 14/);
   const frame = await isShown();
   assert.equal(await frame.$$eval('#rows tr', rows => rows.length), 14);
@@ -99,7 +96,7 @@ test('what is saved is checked by the native tool', async () => {
   await isShown();
   const json = await saved('loops.json');
   assert.equal(nativeRun('check', 'lattice.obj', json).exitCode, 0);
-  assert.match(readFileSync(await saved('table.csv'), 'utf8'), /^pair/m);
+  assert.match(readFileSync(await saved('table.csv'), 'utf8'), /^mesh,pair/m);
   assert.match(readFileSync(await saved('lines.obj'), 'utf8'), /^l /m);
   assert.equal(readFileSync(await saved('model.glb')).subarray(0, 4).toString(), 'glTF');
   assert.equal(readFileSync(await saved('picture.png')).subarray(1, 4).toString(), 'PNG');
@@ -110,7 +107,7 @@ test('twenty meshes, to the last bit', async () => {
     await open(mesh);
     const json = await page.evaluate(() => new TextDecoder().decode(window.app.results['loops.json']));
     native('loops', mesh, '-qo', 'native.json');
-    assert.deepEqual(comparable(json), comparable(readFileSync(join(folder, 'native.json'))), mesh);
+    assert.equal(differenceOfFiles(json, readFileSync(join(folder, 'native.json'))), null, mesh);
   }
 });
 
@@ -121,12 +118,11 @@ test('chosen handles are removed, and the new mesh goes on', async () => {
     await row.click();
   await page.waitForFunction(() => window.app.chosen.length === 3);
   await press('#remove-chosen');
-  assert.match(await message(), /genus 12 -> 9|12.*9/);
+  assert.match(await message(), /genus 12 -> 9/);
   assert.deepEqual(await (await isShown()).$$eval('[name=surface]', nodes => nodes.length), 2);
   const stl = await saved('mesh.stl');
   assert.match(nativeRun('loops', stl).output, /genus 9 /);
-  await page.select('#save', 'go on');
-  await isIdle();
+  await doing(() => page.select('#save', 'go on'));
   assert.match(await message(), /genus 9/);
 });
 
@@ -139,13 +135,12 @@ test('the other tasks are shown, too', async () => {
   }
   await page.$eval('#remove-genus-value', node => { node.value = '1'; });
   await press('#remove-genus');
-  assert.match(await message(), /1/);
+  assert.match(await message(), /genus 3 -> 1/);
 });
 
 test('what a mesh lacks is said, with a button that helps', async () => {
   await drop('quads.obj', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n' +
              'f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n');
-  await isIdle();
   assert.match(await message(), /triangulate/);
   await press('#remedies button');
   assert.equal(await page.$eval('#message', node => node.className), '');
@@ -154,7 +149,6 @@ test('what a mesh lacks is said, with a button that helps', async () => {
 test('a hostile name is a text', async () => {
   const name = '<img src=x onerror="window.hurt = 1">&@script@.off';
   await drop(name, native('generate', 'torus', '--faces', '500', '-o', '-', '-q').toString());
-  await isIdle();
   const frame = await isShown();
   assert.ok((await page.$eval('#name', node => node.textContent)).includes('<img'));
   assert.ok(!(await page.evaluate(() => window.hurt)) && !(await frame.evaluate(() => window.hurt)));
@@ -163,9 +157,8 @@ test('a hostile name is a text', async () => {
 
 test('what is no mesh is said, and the page goes on', async () => {
   await drop('nothing.off', 'OFF\n3 1 0\n');
-  await isIdle();
   assert.equal(await page.$eval('#message', node => node.className), 'error');
-  const words = await page.evaluate(() => window.app.run('too large', ['generate', 'torus', '--faces', '2000000000',
+  const words = await page.evaluate(() => window.app.run('too large', ['generate', 'torus', '--faces', '600000000',
                                                                         '-o', 'x.off'], {}).then(r => r.messages));
   assert.match(words, /memory/);
   await open('torus.off');
@@ -173,12 +166,12 @@ test('what is no mesh is said, and the page goes on', async () => {
 });
 
 test('Cancel ends it within a fifth of a second', async () => {
-  await page.evaluate(() => { window.app.generate('large', ['gyroid', '--faces', '2000000']); });
+  await page.evaluate(() => { window.app.perform(() => window.app.generate('large', ['gyroid', '--faces', '2000000'])); });
   await new Promise(resolve => setTimeout(resolve, 400));
   const milliseconds = await page.evaluate(async () => {
     const began = performance.now();
     document.getElementById('cancel').click();
-    while (window.app.running)
+    while (window.app.isBusy)
       await new Promise(resolve => setTimeout(resolve, 1));
     return performance.now() - began;
   });

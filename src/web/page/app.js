@@ -1,7 +1,7 @@
 // The page that computes: a mesh comes in, a task is chosen, its page is shown, and results are saved.
 
 import { makeClient } from '../module/client.js';
-import { commandLine, remediesIn, samples, tasks } from './tasks.js';
+import { commandLine, page, placeOf, remediesIn, samples, tasks } from './tasks.js';
 
 const element = id => document.getElementById(id);
 
@@ -38,7 +38,7 @@ const { run } = makeClient(load, startWorker);
 const meshEnding = /\.(off|obj|ply|stl|glb|gltf|3mf|vtp|vtu|msh2?|gii|surf|pial|white|inflated|orig)(\.gz)?$/i;
 
 // A name that is one name, and no option, whatever it was called.
-const safeName = name => `./${name.replace(/[/\\\0]/g, '_').slice(-200)}`;
+const safeName = name => name.replace(/[/\\\0]/g, '_').slice(-200).replace(/^-/, './-');
 
 const bytesOf = async file => new Uint8Array(await file.arrayBuffer());
 
@@ -50,6 +50,9 @@ function download(name, bytes) {
 
 const seconds = since => `${((performance.now() - since) / 1000).toFixed(1)} s`;
 
+// The first line that is none of a table.
+const summaryIn = words => words.split('\n').find(line => /^\S/.test(line)) ?? '';
+
 // ---- the page
 
 class App {
@@ -60,6 +63,8 @@ class App {
   results = {};
   chosen = [];
   running = null;
+  isBusy = false;
+  done = 0; // how often something was done, to whatever end
 
   constructor() {
     this.makeTasks();
@@ -84,7 +89,7 @@ class App {
   makeTasks() {
     for (const [name, task] of Object.entries(tasks).filter(([, { ways }]) => !ways)) {
       const button = made('button', { type: 'button', textContent: task.label, id: `task-${name}` });
-      button.onclick = () => this.compute(task);
+      button.onclick = () => this.perform(() => this.compute(task));
       element('tasks').append(button);
       task.button = button;
     }
@@ -92,7 +97,8 @@ class App {
     for (const way of ways) {
       const button = made('button', { type: 'button', textContent: way.label, id: `remove-${way.name}` });
       const input = way.value ? made('input', { value: way.value, ariaLabel: way.label, id: `remove-${way.name}-value` }) : '';
-      button.onclick = () => this.compute(tasks.remove, [way.option, input ? input.value.trim() : this.chosen.join(',')]);
+      button.onclick = () => this.perform(() => this.compute(
+        tasks.remove, [way.option, input ? input.value.trim() : this.chosen.join(',')]));
       element('settings').append(button, input);
       way.button = button;
     }
@@ -106,7 +112,7 @@ class App {
       const sample = samples[Number(choice.value)];
       choice.value = '';
       if (sample)
-        this.generate(...sample);
+        this.perform(() => this.generate(...sample));
     };
   }
 
@@ -116,20 +122,21 @@ class App {
       const { value } = choice;
       choice.value = '';
       if (value)
-        this.save(value);
+        this.perform(() => this.save(value));
     };
   }
 
   listenToFiles() {
     const main = document.querySelector('main'), input = element('file');
     element('open').onclick = () => input.click();
-    input.onchange = () => this.take([...input.files]);
+    const take = files => this.perform(() => this.take([...files]));
+    input.onchange = () => take(input.files);
     for (const name of ['dragenter', 'dragover', 'dragleave', 'drop'])
       document.addEventListener(name, event => {
         event.preventDefault();
         main.classList.toggle('dragged', name === 'dragenter' || name === 'dragover');
       });
-    document.addEventListener('drop', event => this.take([...event.dataTransfer.files]));
+    document.addEventListener('drop', event => take(event.dataTransfer.files));
   }
 
   refresh() {
@@ -167,7 +174,7 @@ class App {
       const button = made('button', { type: 'button', textContent: labels[option] });
       button.onclick = () => {
         this.remedies.push(option);
-        again();
+        this.perform(again);
       };
       element('remedies').append(button);
     }
@@ -175,15 +182,30 @@ class App {
 
   // ---- what is done
 
+  // One thing at a time.
+  async perform(action) {
+    if (this.isBusy)
+      return;
+    this.isBusy = true;
+    try {
+      await action();
+    } catch (error) {
+      this.say(error.message, true);
+    } finally {
+      this.isBusy = false;
+      ++this.done;
+    }
+  }
+
   async take(files) {
     const mesh = files.find(({ name }) => meshEnding.test(name)) ?? files[0];
-    if (!mesh || this.running)
+    if (!mesh)
       return;
     const all = {};
     for (const file of files)
       all[safeName(file.name)] = await bytesOf(file);
     this.open({ name: mesh.name, path: safeName(mesh.name), files: all });
-    this.compute(tasks.loops);
+    await this.compute(tasks.loops);
   }
 
   open(mesh) {
@@ -193,11 +215,12 @@ class App {
   }
 
   async generate(label, words) {
-    const result = await this.run(`Making: ${label}`, ['generate', ...words, '-o', 'sample.off', '-q'], { outputs: ['sample.off'] });
+    const path = `${words[0]}.off`;
+    const result = await this.run(`Making: ${label}`, ['generate', ...words, '-o', path, '-q'], { outputs: [path] });
     if (!result)
       return;
-    this.open({ name: label, path: './sample.off', files: { './sample.off': result.files['sample.off'] } });
-    this.compute(tasks.loops);
+    this.open({ name: label, path, files: { [path]: result.files[path] } });
+    await this.compute(tasks.loops);
   }
 
   // One run of the tool, with its progress and its Cancel; null if it was cancelled, or broke off.
@@ -224,24 +247,31 @@ class App {
     }
   }
 
+  // A run that writes files of a task, which come back by their names.
+  async runTask(label, task, wanted, settings) {
+    const { mesh, remedies } = this;
+    const result = await this.run(label, commandLine(task, mesh.path, wanted, { settings, remedies }),
+                                  { files: mesh.files, outputs: wanted.map(({ file }) => placeOf(file)) });
+    if (result)
+      result.files = Object.fromEntries(wanted.map(({ file }) => [file, result.files[placeOf(file)]]));
+    return result;
+  }
+
   async compute(task, settings = []) {
-    const began = performance.now(), { mesh } = this, page = 'page.html';
-    const written = task.written.map(({ file }) => file);
-    const result = await this.run(
-      task.label, commandLine(task, mesh.path, { settings, remedies: this.remedies, page }),
-      { files: { ...mesh.files }, outputs: [page, ...written] });
+    const began = performance.now();
+    const result = await this.runTask(task.label, task, [...task.written, page], settings);
     if (!result)
       return;
     const { exitCode, files, messages, output } = result;
-    const words = (new TextDecoder().decode(output) + messages).replaceAll('htloops: ', '').trim();
-    if (!files[page]) {
+    const words = (new TextDecoder().decode(output) + messages).replaceAll('htloops: ', '').trimEnd();
+    if (!files[page.file]) {
       this.say(words || `Nothing was found (${exitCode}).`, true);
       this.offer(words, () => this.compute(task, settings));
       return;
     }
     Object.assign(this, { task, settings, results: files, chosen: [], isShown: true });
-    this.show(files[page]);
-    this.say(`${words.split('\n')[0]} (${seconds(began)} in all)`);
+    this.show(files[page.file]);
+    this.say(`${summaryIn(words)} (${seconds(began)} in all)`);
     this.refresh();
     this.listSaves();
   }
@@ -256,21 +286,18 @@ class App {
     const { task } = this;
     element('save').replaceChildren(
       made('option', { value: '', textContent: 'Save\u2026' }),
-      ...[...task.written, ...task.more, { label: 'this page of the result (HTML)', file: 'page.html' }]
+      ...[...task.written, ...task.more, page]
         .map(({ label, file }) => made('option', { value: file, textContent: label })),
       ...(task.makesMesh ? [made('option', { value: 'go on', textContent: 'go on with the new mesh' })] : []));
   }
 
   async save(file) {
-    const { task, mesh } = this;
+    const { task } = this;
     if (file === 'go on')
       return this.goOn();
     if (!this.results[file]) {
       const wanted = task.more.find(each => each.file === file);
-      const result = await this.run(
-        `Writing: ${wanted.label}`,
-        commandLine(task, mesh.path, { settings: this.settings, remedies: this.remedies, files: [wanted] }),
-        { files: { ...mesh.files }, outputs: [file] });
+      const result = await this.runTask(`Writing: ${wanted.label}`, task, [wanted], this.settings);
       if (!result?.files[file]) {
         if (result)
           this.say(result.messages.replaceAll('htloops: ', '').trim(), true);
@@ -279,12 +306,12 @@ class App {
       this.results[file] = result.files[file];
       this.say('');
     }
-    download(`${mesh.name.replace(meshEnding, '').replace(/[^\w.-]+/g, '_')}-${file}`, this.results[file]);
+    download(`${this.mesh.name.replace(meshEnding, '').replace(/[^\w.-]+/g, '_')}-${file}`, this.results[file]);
   }
 
   goOn() {
     const [{ file }] = this.task.written, bytes = this.results[file];
-    this.open({ name: `${this.mesh.name}: ${this.task.label}`, path: `./${file}`, files: { [`./${file}`]: bytes } });
+    this.open({ name: `${this.mesh.name}: ${this.task.label}`, path: file, files: { [file]: bytes } });
     return this.compute(tasks.loops);
   }
 }

@@ -10,6 +10,8 @@ const table = asFile('table (CSV)', 'table.csv', '--csv');
 const report = asFile('report (JSON)', 'report.json', '--report');
 const mesh = ending => asFile(`mesh (${ending.toUpperCase()})`, `mesh.${ending}`, '-o');
 
+export const page = asFile('page of the result (HTML)', 'page.html', '--html');
+
 const pairSetting = { name: 'chosen', label: 'Remove chosen', option: '--pairs' };
 
 export const tasks = {
@@ -60,12 +62,13 @@ export const samples = [
   ['A knotted tube', ['trefoil', '--faces', '20000']],
 ];
 
-// The words of the command line. `remedies` are options without which a mesh is refused.
-export function commandLine(task, meshName, { settings = [], remedies = [], files = task.written, page } = {}) {
+// Where a run writes a file: not where the files of the mesh are, which have whatever names.
+export const placeOf = file => `results/${file}`;
+
+// The words of the command line that writes these files. `remedies` are options without which a mesh is refused.
+export function commandLine(task, meshName, files, { settings, remedies }) {
   return [
-    task.command, meshName,
-    ...files.flatMap(({ option, file }) => option ? [option, file] : [file]),
-    ...(page ? ['--html', page] : []),
+    task.command, meshName, ...files.flatMap(({ option, file }) => [option, placeOf(file)].filter(word => word !== '')),
     ...(task.fixed ?? []), ...settings, ...(task.takesAll ? [] : remedies),
   ];
 }
