@@ -46,11 +46,12 @@ mkdir -p "$root/source/examples/Handle_tunnel_loops"
 cp "$source/README.md" "$root/source"
 cp -r "$source/examples/Handle_tunnel_loops/data" "$root/source/examples/Handle_tunnel_loops"
 apt update
-wanted=$(for package in "$packages"/*.deb; do dpkg-deb --field "$package" Depends; done | tr ',' '\n' |
-  sed 's/^ *//; s/ .*//' | sort -u)
-tested_with=$(sed -n 's/^Depends: //p' "$source/packaging/debian/tests/control" | tr ',' '\n' | sed 's/^ *//' |
-  grep -vE '^(htloops|libhandle-tunnel-loops-dev|python3-handle-tunnel-loops)$' | sort -u)
-apt install $wanted $tested_with >/dev/null
+fields() { for package in "$packages"/*.deb; do dpkg-deb --field "$package" "$1"; done; }
+names() { tr ',' '\n' | sed 's/^ *//; s/[ (].*//' | grep -v '^$' | sort -u; }
+mapfile -t ours < <(fields Package)
+mapfile -t wanted < <({ fields Depends && sed -n 's/^Depends: //p' "$source/packaging/debian/tests/control"; } | names |
+  grep -vxF "$(printf '%s\n' "${ours[@]}")")
+apt install "${wanted[@]}" >/dev/null
 
 # Names of all files but those that keep the state of the system.
 listed() {
@@ -68,7 +69,7 @@ for test in tool program-of-readme module; do
   within sh -c 'rm -rf /tmp/test && mkdir /tmp/test && cd /source && AUTOPKGTEST_TMP=/tmp/test "/tests/$1"' sh "$test"
 done
 
-within dpkg --purge $(for package in "$packages"/*.deb; do dpkg-deb --field "$package" Package; done)
+within dpkg --purge "${ours[@]}"
 listed >"$folder/after.txt"
 diff "$folder/before.txt" "$folder/after.txt" ||
   { echo "Files are left, or gone, after the packages were removed: see above" >&2 && exit 1; }

@@ -33,13 +33,12 @@ unset PYTHONPATH PYTHONHOME LD_LIBRARY_PATH
 environment=$folder/environment/bin
 "$environment/pip" install --quiet --no-index --no-deps "$wheel"
 
+installed=$(echo "$folder"/environment/lib/python*/site-packages/handle_tunnel_loops)
 for licence in LICENSE NOTICES; do
-  [ -s "$folder"/environment/lib/python*/site-packages/handle_tunnel_loops-*.dist-info/$licence ] ||
-    { echo "The wheel lacks $licence" >&2; exit 1; }
+  [ -s "$installed-$version.dist-info/$licence" ] || { echo "The wheel lacks $licence" >&2; exit 1; }
 done
 
 # What is loaded lies in the environment, or is what every system has.
-installed=$(echo "$folder"/environment/lib/python*/site-packages/handle_tunnel_loops)
 strangers=$(ldd "$installed/bin/htloops" "$installed"/_core*.so | awk '$2 == "=>" { print $3 }' |
   grep -vE "^$installed/|/(lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s)\.so\.[0-9]+)$" | sort -u || true)
 [ -z "$strangers" ] || { echo "The wheel needs what it does not bring: $strangers" >&2; exit 1; }
