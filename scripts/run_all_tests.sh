@@ -9,6 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install_dependencies.sh all
+scripts/install_dependencies.sh packages
 scripts/build.sh all -DHTL_CUDA=ON -DHTL_BUILD_BENCHMARKS=ON -DHTL_WARNINGS_AS_ERRORS=ON "$@"
 ctest --test-dir build --output-on-failure --timeout 3600 --parallel "$(nproc)"
 for preset in asan-ubsan tsan; do
