@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 
@@ -11,6 +11,7 @@ import { bytesOf, differenceOfFiles, folder, makeMeshes, native, nativeRun } fro
 
 const packed = join(process.env.HTL_WEB, readdirSync(process.env.HTL_WEB).find(name => name.endsWith('.tgz')));
 const home = join(folder, 'empty');
+const compiler = join(process.env.HTL_NODE_MODULES, 'typescript/bin/tsc');
 let htl, meshes;
 
 const command = (...args) =>
@@ -88,6 +89,40 @@ test('pipes, folders and exit codes are as they are natively', () => {
     writeFileSync(join(folder, 'many', name), bytesOf(name));
   assert.equal(command('measure', 'many', '--csv', 'many.csv', '-q', '--jobs', '2').status, 0);
   assert.equal(bytesOf('many.csv').toString().trim().split('\n').length, 1 + 1 + 12);
+});
+
+test('the lines of the README', () => {
+  const readme = readFileSync(join(home, 'node_modules/handle-tunnel-loops/README.md'), 'utf8');
+  const lines = [...readme.matchAll(/^ {4}npx (.*?)(?: *#.*)?$/gm)].map(([, words]) => words.split(' '));
+  assert.ok(lines.length >= 4);
+  native('generate', 'mug', '--faces', '20000', '-q', '-o', join(home, 'mesh.stl'));
+  native('generate', 'mug', '--faces', '20000', '-q', '-o', join(home, 'scan.ply'));
+  for (const words of lines)
+    execFileSync('npx', ['--offline', ...words], { cwd: home, stdio: 'pipe' });
+  for (const file of ['loops.html', 'solid.stl'])
+    assert.ok(statSync(join(home, file)).size > 1000, file);
+  writeFileSync(join(home, 'readme.js'), /```js\n(.*?)```/s.exec(readme)[1]);
+  const words = execFileSync('node', ['readme.js'], { cwd: home }).toString().trim().split('\n');
+  assert.equal(words.length, 4); // three pairs, and what is left
+  assert.match(words[3], /^1 \d+$/);
+});
+
+test('the types are those of the functions', { skip: !existsSync(compiler) }, () => {
+  writeFileSync(join(home, 'typed.ts'), `
+    import { loops, measure, reebGraph, skeleton, removeHandles, clean, cut, generate, run, HtloopsError } from 'handle-tunnel-loops';
+    const mesh = await generate('torus', { faces: 500 });
+    const { pairs } = await loops(mesh, { basis: 'shortest', onProgress: (part: number, what: string) => {} });
+    const points: Float64Array = pairs[0].handle.points, triangles: Uint32Array = (await removeHandles(mesh, { genus: 0 })).mesh.triangles;
+    const { exitCode } = await run(['--version'], { signal: AbortSignal.timeout(1000) });
+    // @ts-expect-error
+    await removeHandles(mesh);
+    export { points, triangles, exitCode, measure, reebGraph, skeleton, clean, cut, HtloopsError };
+  `);
+  execFileSync('node', [compiler, '--noEmit', '--strict', '--target', 'esnext', '--module', 'nodenext', 'typed.ts'],
+               { cwd: home, stdio: 'pipe' });
+  const declared = readFileSync(join(home, 'node_modules/handle-tunnel-loops/index.d.ts'), 'utf8');
+  const names = [...declared.matchAll(/export (?:function|class) (\w+)/g)].map(([, name]) => name).sort();
+  assert.deepEqual(names, Object.keys(htl).sort());
 });
 
 test('arrays in, arrays out', async () => {

@@ -2,45 +2,23 @@
 // are removed. BROWSER is chromium or firefox.
 
 import assert from 'node:assert/strict';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdtempSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
+import { launch, newPage } from './browsers.mjs';
 import { differenceOfFiles, folder, makeMeshes, native, nativeRun } from './meshes.mjs';
 
-const { default: puppeteer } = await import(
-  pathToFileURL(createRequire(join(process.env.HTL_NODE_MODULES, '/')).resolve('puppeteer-core')));
-const kind = process.env.BROWSER;
 const downloads = mkdtempSync(join(folder, 'downloads-'));
-const requests = [], complaints = [];
-let browser, page, meshes;
-
-function launch() {
-  const common = { headless: true, executablePath: kind === 'firefox' ? '/usr/bin/firefox-esr' : '/usr/bin/chromium' };
-  return puppeteer.launch(kind === 'firefox'
-    ? { ...common, browser: 'firefox', extraPrefsFirefox: {
-      'browser.download.folderList': 2, 'browser.download.dir': downloads, 'webgl.force-enabled': true,
-      'browser.helperApps.neverAsk.saveToDisk': 'application/octet-stream' } }
-    : { ...common, args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-      '--disable-component-update', '--disable-sync', '--enable-unsafe-swiftshader'] });
-}
+const requests = [];
+let browser, page, complaints, meshes;
 
 before(async () => {
   meshes = makeMeshes();
-  browser = await launch();
-  page = await browser.newPage();
+  browser = await launch(process.env.BROWSER, downloads);
+  ({ page, complaints } = await newPage(browser));
   page.on('request', request => requests.push(request.url()));
-  page.on('console', message => {
-    if (['error', 'warn'].includes(message.type()))
-      complaints.push(message.text());
-  });
-  page.on('pageerror', error => complaints.push(error.message));
-  if (kind === 'chromium') {
-    const session = await browser.target().createCDPSession();
-    await session.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
-  }
   await page.goto(pathToFileURL(join(process.env.HTL_WEB, 'index.html')).href);
   await page.waitForSelector('body.ready');
 });
@@ -116,7 +94,7 @@ test('chosen handles are removed, and the new mesh goes on', async () => {
   const frame = await isShown();
   for (const row of (await frame.$$('#rows tr input')).slice(0, 3))
     await row.click();
-  await page.waitForFunction(() => window.app.chosen.length === 3);
+  await page.waitForFunction(() => window.app.chosen.length === 3, { timeout: 60000 });
   await press('#remove-chosen');
   assert.match(await message(), /genus 12 -> 9/);
   assert.deepEqual(await (await isShown()).$$eval('[name=surface]', nodes => nodes.length), 2);
@@ -181,5 +159,5 @@ test('Cancel ends it within a fifth of a second', async () => {
 
 test('nothing was asked of any server, and nothing was complained of', () => {
   assert.deepEqual(requests.filter(url => !/^(file|blob|data|about):/.test(url)), []);
-  assert.deepEqual(complaints.filter(text => !/GPU stall|software WebGL|GroupMarker/.test(text)), []);
+  assert.deepEqual(complaints, []);
 });

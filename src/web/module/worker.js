@@ -66,10 +66,10 @@ async function answer(create, { code, args, files = {}, outputs = [], input = ne
     prepare(system) {
       system.mkdir(folder);
       system.chdir(folder);
+      for (const name of [...Object.keys(files), ...outputs])
+        system.mkdirTree(`${folder}/${name}`.replace(/\/[^/]*$/, ''));
       for (const [name, bytes] of Object.entries(files))
         system.writeFile(name, bytes, { canOwn: true });
-      for (const name of outputs)
-        system.mkdirTree(`${folder}/${name}`.replace(/\/[^/]*$/, ''));
     },
   });
   return { exitCode, files: outputsOf(fs, outputs), output: joined(output), messages: messages.text };
