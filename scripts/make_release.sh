@@ -27,7 +27,7 @@ step() {
   if "$@" >"$work/$name.log" 2>&1; then
     echo "$((SECONDS - begin)) s"
   else
-    echo "not made: $(grep -v '^ *$' "$work/$name.log" | tail -n 1)"
+    echo "not made: $(grep -iE 'error|fail|there is no' "$work/$name.log" | head -n 1)"
     missing+=("$name ($work/$name.log)")
   fi
 }
