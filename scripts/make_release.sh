@@ -45,12 +45,17 @@ by_script() {
   find "$made" -maxdepth 1 -type f -exec cp --target-directory="$release" {} +
 }
 
+# pack FOLDER NAME: the same bytes for the same files.
+pack() {
+  tar --create --directory="$1" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner "$2" |
+    gzip --no-name --best
+}
+
 make_source_archive() {
   local name=handle-tunnel-loops-$version
   rm -rf "$work/sources"
   scripts/copy_sources.sh "$work/sources/$name" || return 1
-  tar --create --directory="$work/sources" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 \
-    --numeric-owner "$name" | gzip --no-name --best >"$release/$name-source.tar.gz"
+  pack "$work/sources" "$name" >"$release/$name-source.tar.gz"
 }
 
 make_wheel() { scripts/make_wheel.sh /usr/bin/python3 "$release"; }
@@ -68,7 +73,7 @@ make_recipes() {
   cp -r packaging/vcpkg packaging/conda packaging/homebrew "$work/recipes" || return 1
   sed -i -E "s/\b0{128}\b/$sha512/; s/\b0{64}\b/$sha256/" "$work"/recipes/*/*
   grep -rqE '0{64}' "$work/recipes" && return 1
-  tar --create --gzip --file="$release/handle-tunnel-loops-$version-recipes.tar.gz" --directory="$work" recipes
+  pack "$work" recipes >"$release/handle-tunnel-loops-$version-recipes.tar.gz"
 }
 
 if [ -n "$(ls -A "$release" 2>/dev/null)" ] && [ ! -e "$release/SHA256SUMS" ]; then

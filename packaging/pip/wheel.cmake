@@ -1,5 +1,8 @@
 # The layout of a wheel: the tool lies in the package of Python, and beside both what they need and not every
 # system has.
+if(NOT TARGET htl_python OR NOT TARGET htloops)
+  message(FATAL_ERROR "A wheel holds the module of Python and the tool, and a library that they need is missing: see above")
+endif()
 set(_htl_package "\${HTL_PYTHON_DIR}/handle_tunnel_loops")
 if(APPLE)
   set(_htl_here "@loader_path")
