@@ -14,6 +14,7 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Triangle_arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/bounding_box.h>
 
@@ -27,6 +28,7 @@
 
 namespace htloops {
 
+namespace internal = CGAL::Handle_tunnel_loops::internal;
 using CGAL::Loop_type;
 using CGAL::Handle_tunnel_loops::Basis_kind;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -38,9 +40,15 @@ inline bool is_finite(const Point& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
+/// in any unit; the same on all machines.
+inline double length_of_vector(double x, double y, double z) {
+  return internal::rounded_length_of_any(x, y, z);
+}
+
 /// the diagonal of a box.
 inline double diagonal_of(const CGAL::Bbox_3& box) {
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  return length_of_vector(box.xmax() - box.xmin(), box.ymax() - box.ymin(),
+                          box.zmax() - box.zmin());
 }
 
 inline CGAL::Bbox_3 box_of(const Mesh& mesh) {

@@ -9,6 +9,7 @@
 
 #include "Shape.h"
 
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -39,7 +40,7 @@ double cylinder_distance(
   const double outside = length(from - along * axis) - radius + edge;
   const double beyond = std::abs(along - half) - half + edge;
   return (std::min)((std::max)(outside, beyond), 0.) +
-         std::hypot((std::max)(outside, 0.), (std::max)(beyond, 0.)) - edge;
+         hypotenuse((std::max)(outside, 0.), (std::max)(beyond, 0.)) - edge;
 }
 
 double block_distance(const Vector& p, const Vector& low, const Vector& high, double rounding) {
@@ -56,7 +57,7 @@ double block_distance(const Vector& p, const Vector& low, const Vector& high, do
 double ring_distance(const Vector& p, const Vector& middle, const Vector& axis, double radius) {
   const Vector from = p - middle;
   const double along = from * axis;
-  return std::hypot(length(from - along * axis) - radius, along);
+  return hypotenuse(length(from - along * axis) - radius, along);
 }
 
 // A smooth curve through points (Catmull and Rom), as many short segments.
@@ -88,7 +89,7 @@ double curve_distance(const Vector& p, const std::vector<Vector>& curve) {
 
 Vector turned(const Vector& p, const Vector& axis, double angle) {
   const Vector along = (p * axis) * axis, across = p - along;
-  return along + std::cos(angle) * across + std::sin(angle) * CGAL::cross_product(axis, across);
+  return along + cosine(angle) * across + sine(angle) * CGAL::cross_product(axis, across);
 }
 
 // The least of two distances, with a fillet: never more than the least.
@@ -99,7 +100,9 @@ double blended(double a, double b, double size) {
 
 // Two digits are easier to remember: not fewer than \p faces.
 std::size_t two_digits(double faces) {
-  const double unit = std::pow(10., std::floor(std::log10(faces)) - 1.);
+  double unit = 1.;
+  while(faces >= 100. * unit)
+    unit *= 10.;
   return static_cast<std::size_t>(std::llround(std::ceil(faces / unit) * unit));
 }
 
@@ -375,8 +378,8 @@ private:
     std::vector<Vector> curve;
     for(int i = 0; i <= steps; ++i) {
       const double t = 2. * CGAL_PI * (i % steps) / steps;
-      const double away = radius + small * std::cos(q * t);
-      curve.emplace_back(away * std::cos(p * t), away * std::sin(p * t), small * std::sin(q * t));
+      const double away = radius + small * cosine(q * t);
+      curve.emplace_back(away * cosine(p * t), away * sine(p * t), small * sine(q * t));
     }
     return tube(curve, r);
   }
@@ -432,7 +435,8 @@ Shape Shape::rounded(double radius) const {
 // each of the two points in its cube.
 double Shape::most_spacing(std::size_t faces) const {
   const double count = static_cast<double>(faces);
-  return (std::min)(std::sqrt(15. * most_area_ / count), std::cbrt(100. * most_volume_ / count));
+  return (std::min)(std::sqrt(15. * most_area_ / count),
+                    power(100. * most_volume_ / count, 1. / 3.));
 }
 
 double Shape::operator()(const Vector& p) const {

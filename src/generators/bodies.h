@@ -11,6 +11,7 @@
 #define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_BODIES_H
 
 #include "Field.h"
+#include "functions.h"
 
 #include <CGAL/number_type_config.h>
 
@@ -52,7 +53,7 @@ public:
       : radius_(radius(handles)) {
     for(std::size_t i = 0; i < handles; ++i) {
       const double angle = first_angle + 2. * CGAL_PI * static_cast<double>(i) / handles;
-      handles_.push_back(Vector(std::cos(angle), std::sin(angle), 0.));
+      handles_.push_back(Vector(cosine(angle), sine(angle), 0.));
     }
     balls_.push_back({Vector(0., 0., 0.), radius_});
     for(const Ball& bump : bumps)
@@ -67,16 +68,16 @@ public:
     constexpr double blend_of_balls = 0.1, blend_of_handles = 0.05;
     double sum = 0.;
     for(const Ball& ball : balls_)
-      sum += std::exp((ball.radius - length(p - ball.centre)) / (blend_of_balls * radius_));
-    const double to_balls = -blend_of_balls * radius_ * std::log(sum);
+      sum += exponential((ball.radius - length(p - ball.centre)) / (blend_of_balls * radius_));
+    const double to_balls = -blend_of_balls * radius_ * logarithm(sum);
     double least = to_balls;
     for(const Vector& outwards : handles_)
       least = (std::min)(least, distance_to_handle(p, outwards));
     // Relative to the least one: what is far must not vanish altogether.
-    double blended = std::exp((least - to_balls) / blend_of_handles);
+    double blended = exponential((least - to_balls) / blend_of_handles);
     for(const Vector& outwards : handles_)
-      blended += std::exp((least - distance_to_handle(p, outwards)) / blend_of_handles);
-    return least - blend_of_handles * std::log(blended);
+      blended += exponential((least - distance_to_handle(p, outwards)) / blend_of_handles);
+    return least - blend_of_handles * logarithm(blended);
   }
 
 private:
@@ -84,7 +85,7 @@ private:
   double distance_to_handle(const Vector& p, const Vector& outwards) const {
     const double out = p * outwards - radius_;
     const double aside = p.y() * outwards.x() - p.x() * outwards.y();
-    return std::hypot(std::hypot(out, p.z()) - ring_radius, aside) - tube_radius;
+    return hypotenuse(hypotenuse(out, p.z()) - ring_radius, aside) - tube_radius;
   }
 
   double radius_;

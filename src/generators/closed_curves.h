@@ -11,6 +11,7 @@
 #define CGAL_HANDLE_TUNNEL_LOOPS_GENERATORS_CLOSED_CURVES_H
 
 #include "Field.h"
+#include "functions.h"
 
 #include <CGAL/number_type_config.h>
 
@@ -69,8 +70,8 @@ public:
 
   Vector point(double t, double moved) const {
     const double u = p_ * t, v = q_ * t + moved;
-    const double r = 1. + radius * std::cos(v);
-    return Vector(r * std::cos(u), r * std::sin(u), radius * std::sin(v));
+    const double r = 1. + radius * cosine(v);
+    return Vector(r * cosine(u), r * sine(u), radius * sine(v));
   }
 
   /// the angle between the places where the curve crosses a short circle.
@@ -78,7 +79,7 @@ public:
 
   /// the least distance, along the torus, of two curves of which one is moved by an angle.
   double distance_along_torus(double moved) const {
-    return radius * moved * inner_radius / std::hypot(inner_radius, radius * q_ / p_);
+    return radius * moved * inner_radius / hypotenuse(inner_radius, radius * q_ / p_);
   }
 
   /// a lower bound for the distance in space of such curves, and of the parts of one of them.
@@ -87,13 +88,13 @@ public:
     return (std::min)({2. / CGAL_PI * distance_along_torus(moved), radius, inner_radius});
   }
 
-  double least_speed() const { return std::hypot(p_ * inner_radius, q_ * radius); }
+  double least_speed() const { return hypotenuse(p_ * inner_radius, q_ * radius); }
 
   /// the number of points at equal distances along a curve of which the chords are closer to the
   /// curve than `error`.
   std::size_t least_samples(double error) const {
     const double outer_radius = 1. + radius;
-    const double most_length = 2. * CGAL_PI * std::hypot(p_ * outer_radius, q_ * radius);
+    const double most_length = 2. * CGAL_PI * hypotenuse(p_ * outer_radius, q_ * radius);
     const double acceleration = p_ * p_ * outer_radius + (q_ + 2. * p_) * q_ * radius;
     return static_cast<std::size_t>(
         std::ceil(most_length / least_speed() * std::sqrt(acceleration / (8. * error))));

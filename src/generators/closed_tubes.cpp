@@ -9,6 +9,7 @@
 
 #include "Random.h"
 #include "closed_curves.h"
+#include "functions.h"
 #include "kinds.h"
 
 #include <CGAL/number_type_config.h>
@@ -74,11 +75,11 @@ std::vector<Ring> carry_frames(const Curve_by_length& curve, std::size_t count) 
     rings[i].set_normal(i == 0 ? away_from(rings[0].tangent) : rings[i - 1].normal);
   }
   const double miss =
-      std::atan2(rings[count].normal * rings[0].binormal, rings[count].normal * rings[0].normal);
+      arc_tangent(rings[count].normal * rings[0].binormal, rings[count].normal * rings[0].normal);
   rings.pop_back();
   for(std::size_t i = 0; i < count; ++i) {
     const double angle = -miss * i / count;
-    rings[i].set_normal(std::cos(angle) * rings[i].normal + std::sin(angle) * rings[i].binormal);
+    rings[i].set_normal(cosine(angle) * rings[i].normal + sine(angle) * rings[i].binormal);
   }
   return rings;
 }
@@ -102,7 +103,7 @@ Soup closed_tube(const Curve_by_length& curve, double radius, std::size_t faces)
   return grid_surface(size, [&](std::size_t i, std::size_t j) {
     const double v = 2. * CGAL_PI * j / size.around;
     const Ring& ring = rings[i];
-    return ring.centre + radius * (std::cos(v) * ring.normal - std::sin(v) * ring.binormal);
+    return ring.centre + radius * (cosine(v) * ring.normal - sine(v) * ring.binormal);
   });
 }
 
@@ -112,15 +113,14 @@ Curve_by_length ring_curve(std::size_t number, Random& random) {
   constexpr double distance = 1.4, most_tilt = CGAL_PI / 12.;
   const double half_width = random.uniform(0.9, 1.25);
   const double angle = (number % 2) * CGAL_PI / 2. + random.uniform(-most_tilt, most_tilt);
-  const Vector centre(distance * number, 0, 0), across(0, std::cos(angle), std::sin(angle));
+  const Vector centre(distance * number, 0, 0), across(0, cosine(angle), sine(angle));
   return Curve_by_length([=](double t) {
-    return centre + std::cos(t) * Vector(1, 0, 0) + half_width * std::sin(t) * across;
+    return centre + cosine(t) * Vector(1, 0, 0) + half_width * sine(t) * across;
   });
 }
 
 Vector trefoil(double t) {
-  return Vector(std::sin(t) + 2. * std::sin(2. * t), std::cos(t) - 2. * std::cos(2. * t),
-                -std::sin(3. * t));
+  return Vector(sine(t) + 2. * sine(2. * t), cosine(t) - 2. * cosine(2. * t), -sine(3. * t));
 }
 
 // A third of the room is for the tubes, and some of the rest for the difference to their chords.
@@ -162,8 +162,8 @@ Soup make_torus(const Request& request) {
   const Grid_size size = grid_size(request.faces, radius / tube_radius);
   return grid_surface(size, [&](std::size_t i, std::size_t j) {
     const double u = 2. * CGAL_PI * i / size.along, v = 2. * CGAL_PI * j / size.around;
-    const double r = radius + tube_radius * std::cos(v);
-    return Vector(r * std::cos(u), r * std::sin(u), tube_radius * std::sin(v));
+    const double r = radius + tube_radius * cosine(v);
+    return Vector(r * cosine(u), r * sine(u), tube_radius * sine(v));
   });
 }
 

@@ -9,6 +9,7 @@
 
 #include "Field.h"
 #include "Random.h"
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -54,7 +55,7 @@ public:
   // made smaller by that radius.
   double operator()(const Vector& p) const override {
     const double from_region = (std::max)(outline(p.x(), p.y()), hole(p.x(), p.y())) + rim_radius;
-    return std::hypot((std::max)(from_region, 0.), p.z()) - rim_radius;
+    return hypotenuse((std::max)(from_region, 0.), p.z()) - rim_radius;
   }
 
   Box box() const override {
@@ -70,7 +71,7 @@ private:
   static double rectangle(double x, double y, double half_width, double half_height) {
     const double dx = std::abs(x) - (half_width - corner_radius);
     const double dy = std::abs(y) - (half_height - corner_radius);
-    return std::hypot((std::max)(dx, 0.), (std::max)(dy, 0.)) + (std::min)((std::max)(dx, dy), 0.) -
+    return hypotenuse((std::max)(dx, 0.), (std::max)(dy, 0.)) + (std::min)((std::max)(dx, dy), 0.) -
            corner_radius;
   }
 
@@ -97,7 +98,7 @@ private:
         continue;
       const double half = (count - 1.) / 2.;
       const double centre = std::clamp(std::round(x + half), 0., count - 1.) - half;
-      nearest = (std::min)(nearest, std::hypot(x - centre, y - row));
+      nearest = (std::min)(nearest, hypotenuse(x - centre, y - row));
     }
     return hole_radius - nearest;
   }
@@ -147,7 +148,7 @@ std::pair<Drilled_block, std::size_t> choose_block(std::size_t holes, std::size_
     const std::size_t depth = block.depth_for(faces);
     if(hole_width > 1 && block.faces(depth) > 1.1 * faces)
       return best;
-    const double error = std::abs(std::log(double(depth) / block.width));
+    const double error = std::abs(logarithm(double(depth) / block.width));
     if(error < least_error) {
       least_error = error;
       best = {block, depth};

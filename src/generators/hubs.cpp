@@ -9,6 +9,7 @@
 
 #include "Field.h"
 #include "Random.h"
+#include "functions.h"
 #include "kinds.h"
 
 #include <CGAL/number_type_config.h>
@@ -58,11 +59,11 @@ private:
   /// those of the rim beyond its far side.
   void add_bore(double angle) {
     constexpr double distance = 0.6;
-    const double radius = 0.7 * distance * std::sin(CGAL_PI / double(bores_));
-    const Vector out(std::cos(angle), std::sin(angle), 0.), left(-out.y(), out.x(), 0.);
-    const double end = std::acos(-radius / distance); // where tangents from the hub touch
+    const double radius = 0.7 * distance * sine(CGAL_PI / double(bores_));
+    const Vector out(cosine(angle), sine(angle), 0.), left(-out.y(), out.x(), 0.);
+    const double end = arc_cosine(-radius / distance); // where tangents from the hub touch
     const auto corner = [&](double a) {
-      return distance * out + radius * (std::cos(a) * out + std::sin(a) * left);
+      return distance * out + radius * (cosine(a) * out + sine(a) * left);
     };
     bore_.push_back(static_cast<Index>(soup_.points.size()));
     for(std::size_t i = 0; i < far_; ++i)
@@ -131,8 +132,7 @@ Soup make_fan(const Request& request) {
   add_point(soup, Vector(0., 0., 0.));
   for(Index i = 0; i < corners; ++i) {
     const double angle = turn(i, corners);
-    const Index a =
-        add_point(soup, Vector(std::cos(angle), std::sin(angle), random.uniform(-1., 1.)));
+    const Index a = add_point(soup, Vector(cosine(angle), sine(angle), random.uniform(-1., 1.)));
     const Index b = 2 + (i + 1) % corners;
     soup.triangles.push_back({1, a, b});
     soup.triangles.push_back({0, b, a});

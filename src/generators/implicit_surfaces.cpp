@@ -9,6 +9,7 @@
 
 #include "Field.h"
 #include "Random.h"
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -167,9 +168,8 @@ private:
 
   /// the level set function divided by the largest length of its gradient, negative in the solid.
   static double gyroid(const Vector& p) {
-    const double sx = std::sin(p.x()), cx = std::cos(p.x()), sy = std::sin(p.y()),
-                 cy = std::cos(p.y()), sz = std::sin(p.z()), cz = std::cos(p.z());
-    return -(sx * cy + sy * cz + sz * cx) / std::sqrt(3.);
+    const auto x = sine_and_cosine(p.x()), y = sine_and_cosine(p.y()), z = sine_and_cosine(p.z());
+    return -(x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine) / std::sqrt(3.);
   }
 
   /// a bit more than the maximum where both are close, so that the rims of the cuts are round.
@@ -288,7 +288,7 @@ private:
 Vector random_direction(Random& random) {
   const double z = random.uniform(-1., 1.), angle = random.uniform(0., 2. * CGAL_PI);
   const double r = std::sqrt(1. - z * z);
-  return Vector(r * std::cos(angle), r * std::sin(angle), z);
+  return Vector(r * cosine(angle), r * sine(angle), z);
 }
 
 /// Where a sum of random plane waves is negative, in a cube of side two.
@@ -310,7 +310,7 @@ public:
     const double beyond_box = (std::max)({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) - 1.;
     double sum = level_;
     for(const Wave& wave : waves_)
-      sum += std::sin(wave.direction * p + wave.phase);
+      sum += sine(wave.direction * p + wave.phase);
     return (std::max)(beyond_box, sum / steepest_);
   }
 
@@ -335,7 +335,7 @@ Soup make_gyroid(const Request& request) {
 
 Soup make_waves(const Request& request) {
   const std::size_t f = (std::max<std::size_t>)(request.frequency, 1);
-  require_faces(request, "waves", 1000. + 400. * std::pow(f, 3));
+  require_faces(request, "waves", 1000. + 400. * double(f * f * f));
   Random random(request.seed);
   return mesh_of_field(Waves_in_box(static_cast<double>(f), random), request.faces);
 }

@@ -60,7 +60,7 @@ double lattice_points(const Box& box, double spacing) {
 
 /// With more points than these a lattice takes long, and the surface is a very small part of it.
 double most_lattice_points(std::size_t faces) {
-  return (std::max)(5e8, 16. * std::pow(static_cast<double>(faces), 1.5));
+  return (std::max)(5e8, 16. * double(faces) * std::sqrt(double(faces)));
 }
 
 std::invalid_argument too_thin(std::size_t faces) {

@@ -10,6 +10,7 @@
 #include "Field.h"
 #include "Random.h"
 #include "bodies.h"
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -82,7 +83,7 @@ private:
     Indices lower = cycle, upper(cycle.size());
     for(std::size_t step = 1; step < steps; ++step) {
       const double part = static_cast<double>(step) / static_cast<double>(steps);
-      const double width = 1. - 0.4 * std::sin(CGAL_PI * part);
+      const double width = 1. - 0.4 * sine(CGAL_PI * part);
       for(std::size_t i = 0; i < cycle.size(); ++i)
         upper[i] = surface_.add_point(width * between(cycle[i], part) +
                                       (1. - width) * between(centre, part));
@@ -157,7 +158,7 @@ Soup make_twins(const Request& request) {
       0.6 * radius, edge_length * (5. + 2.6 * std::sqrt(static_cast<double>(request.necks))));
   return joined_at_random(walls, request, random, [&](std::uint32_t v) {
     const Vector p = point_of(walls.first, v);
-    return p.z() > 0. && std::hypot(p.x(), p.y()) < place_radius;
+    return p.z() > 0. && hypotenuse(p.x(), p.y()) < place_radius;
   });
 }
 

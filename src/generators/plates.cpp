@@ -9,6 +9,7 @@
 
 #include "Field.h"
 #include "Random.h"
+#include "functions.h"
 #include "kinds.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -85,8 +86,8 @@ private:
     for(Index i = 0; i < n; ++i) {
       const double angle = bore.phase + 2. * CGAL_PI * i / n;
       std::array<double, 3> point;
-      point[u] = bore.centre[u] + bore.half_size[u] * std::cos(angle);
-      point[v] = bore.centre[v] + bore.half_size[v] * std::sin(angle);
+      point[u] = bore.centre[u] + bore.half_size[u] * cosine(angle);
+      point[v] = bore.centre[v] + bore.half_size[v] * sine(angle);
       for(const double height : {0., size_[bore.axis]}) {
         point[bore.axis] = height;
         soup_.points.push_back(point);
@@ -226,7 +227,7 @@ Soup make_bars(const Request& request) {
 Soup make_plates(const Request& request) {
   return make_parts(request, "plates", [](const Corners& corners, double& height, Random& random) {
     // From sheets to blocks.
-    const double thickness = std::exp(random.uniform(std::log(0.05), std::log(3.)));
+    const double thickness = exponential(random.uniform(logarithm(0.05), logarithm(3.)));
     const Soup plate = translated(make_plate(corners, thickness, random), {0., 0., height});
     height += thickness + random.uniform(0.05, 0.5);
     return plate;

@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "Random.h"
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -190,7 +191,7 @@ void pull_together(Soup& soup, Random& random) {
 
 /// makes the surface very small or very large, and flat.
 void flatten(Soup& soup, Random& random) {
-  const double scale = std::pow(10., random.uniform(-9., 9.));
+  const double scale = power(10., random.uniform(-9., 9.));
   const std::array<double, 3> stretch = {scale, scale, scale * 1e-6};
   for(auto& point : soup.points)
     for(int axis = 0; axis < 3; ++axis)
@@ -201,7 +202,7 @@ void flatten(Soup& soup, Random& random) {
 void collapse_edges(Soup& soup, Random& random) {
   for(std::size_t i = 0; i < soup.points.size() / 3; ++i) {
     const Triangle& triangle = soup.triangles[random.below(soup.triangles.size())];
-    const double rest = random.below(4) == 0 ? 0. : std::pow(10., random.uniform(-12., -1.));
+    const double rest = random.below(4) == 0 ? 0. : power(10., random.uniform(-12., -1.));
     auto& moved = soup.points[triangle[0]];
     const auto& target = soup.points[triangle[1]];
     for(int axis = 0; axis < 3; ++axis)

@@ -10,6 +10,7 @@
 #include "Field.h"
 #include "Random.h"
 #include "bodies.h"
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -43,7 +44,7 @@ double cross(const Point_2& o, const Point_2& p, const Point_2& q) {
 
 /// by how much one direction is counterclockwise of another, in [-pi, pi].
 double turn(const Point_2& from, const Point_2& to) {
-  return std::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
+  return arc_tangent(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
 }
 
 /*!
@@ -156,7 +157,7 @@ private:
     const Vector normal = unit(normals_[v]);
     const Vector axis = std::abs(normal.x()) < 0.6 ? Vector(1, 0, 0) : Vector(0, 1, 0);
     const Vector x = unit(CGAL::cross_product(axis, normal));
-    const Vector along = std::cos(angle) * x + std::sin(angle) * CGAL::cross_product(normal, x);
+    const Vector along = cosine(angle) * x + sine(angle) * CGAL::cross_product(normal, x);
     return {point_of(soup_, v), along, CGAL::cross_product(normal, along),
             is_tunnel ? -normal : normal};
   }
@@ -205,7 +206,7 @@ private:
   Foot foot_near(const Frame& frame, const Ground& ground, double along, int rings) const {
     const auto distance = [&](std::uint32_t v) {
       const auto [x, y] = frame.in_plane(point_of(soup_, v));
-      return std::hypot(x - along, y);
+      return hypotenuse(x - along, y);
     };
     Foot foot = {ground.own.front(), {}, {}};
     for(const std::uint32_t v : ground.own)
@@ -226,7 +227,7 @@ private:
   Frame turned(const Frame& frame, const Foot& left, const Foot& right) const {
     const auto [x, y] = frame.in_plane(point_of(soup_, left.centre));
     const auto [u, v] = frame.in_plane(point_of(soup_, right.centre));
-    const double size = std::hypot(u - x, v - y), c = (u - x) / size, s = (v - y) / size;
+    const double size = hypotenuse(u - x, v - y), c = (u - x) / size, s = (v - y) / size;
     return {frame.origin + (x + u) / 2. * frame.along + (y + v) / 2. * frame.aside,
             c * frame.along + s * frame.aside, c * frame.aside - s * frame.along, frame.up};
   }
@@ -244,10 +245,10 @@ private:
 
   static double inner_radius(const std::vector<Point_2>& outline) {
     const Point_2 origin = {0., 0.};
-    double radius = std::hypot(outline[0][0], outline[0][1]);
+    double radius = hypotenuse(outline[0][0], outline[0][1]);
     for(std::size_t i = 0; i < outline.size(); ++i) {
       const Point_2 &p = outline[i], &q = outline[i + 1 == outline.size() ? 0 : i + 1];
-      radius = (std::min)(radius, cross(origin, p, q) / std::hypot(q[0] - p[0], q[1] - p[1]));
+      radius = (std::min)(radius, cross(origin, p, q) / hypotenuse(q[0] - p[0], q[1] - p[1]));
     }
     return radius;
   }
@@ -257,7 +258,7 @@ private:
     for(std::size_t i = 0; i < size; ++i) {
       const double angle = 2. * CGAL_PI * static_cast<double>(i) / static_cast<double>(size);
       // Mirrored in the second axis, and in the opposite order to be counterclockwise again.
-      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+      const double x = radius * cosine(angle), y = radius * sine(angle);
       points.push_back(is_mirrored ? Point_2{-x, -y} : Point_2{x, y});
     }
     return points;
@@ -305,7 +306,7 @@ private:
     Indices first, last;
     for(std::size_t step = 0; step <= steps; ++step) {
       const double angle = CGAL_PI * static_cast<double>(step) / static_cast<double>(steps);
-      const double c = std::cos(angle), s = std::sin(angle);
+      const double c = cosine(angle), s = sine(angle);
       const Vector centre =
           frame.origin - half_span * c * frame.along + (base + height * s) * frame.up;
       const Vector inwards = unit(height * c * frame.along - half_span * s * frame.up);
@@ -349,8 +350,7 @@ Rounded_body random_body(std::size_t handles, Random& random) {
   for(const double side : {-1., 1., 1.}) {
     const double angle = random.uniform(0., 2. * CGAL_PI), radius = random.uniform(0.45, 0.6);
     bumps.push_back(
-        {Vector(0.3 * std::cos(angle), 0.3 * std::sin(angle), side * random.uniform(0.5, 0.7)),
-         radius});
+        {Vector(0.3 * cosine(angle), 0.3 * sine(angle), side * random.uniform(0.5, 0.7)), radius});
   }
   return Rounded_body(handles, random.uniform(0., 2. * CGAL_PI), bumps);
 }
@@ -372,8 +372,8 @@ public:
   double operator()(const std::array<double, 3>& p) const {
     double sum = 0.;
     for(const Wave& wave : waves_)
-      sum += wave.height * std::sin(wave.steps[0] * p[0] + wave.steps[1] * p[1] +
-                                    wave.steps[2] * p[2] + wave.phase);
+      sum += wave.height *
+             sine(wave.steps[0] * p[0] + wave.steps[1] * p[1] + wave.steps[2] * p[2] + wave.phase);
     return sum;
   }
 

@@ -10,6 +10,7 @@
 #include "Field.h"
 #include "Random.h"
 #include "closed_curves.h"
+#include "functions.h"
 #include "kinds.h"
 #include "mesh_of_field.h"
 
@@ -121,11 +122,11 @@ public:
     double sum = 0.;
     for(const std::uint32_t s : near_[bin]) {
       const auto& [a, b] = segments_[s];
-      sum += std::exp(-(segment_distance(p, a, b) + lacking_[s]) / blend);
+      sum += exponential(-(segment_distance(p, a, b) + lacking_[s]) / blend);
     }
     // Further tubes are at least reach - radius away from all points of the bin.
     const double far = reach - radius_;
-    return sum > 0. ? (std::min)(-blend * std::log(sum) - radius_, far) : far;
+    return sum > 0. ? (std::min)(-blend * logarithm(sum) - radius_, far) : far;
   }
 
 private:

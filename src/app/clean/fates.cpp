@@ -11,6 +11,8 @@
 
 #include "words.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -32,7 +34,8 @@ struct Amount
   }
 
   bool is_less(double share, const Amount& whole) const {
-    return volume < share * whole.volume && area < std::pow(share, 2. / 3.) * whole.area;
+    return volume < share * whole.volume &&
+           area < (share > 0. ? internal::power(share, 2. / 3.) : 0.) * whole.area;
   }
 
   std::string words(const Amount& whole) const {

@@ -13,6 +13,8 @@
 #include "write/Gltf_document.h"
 #include "write/files.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -80,7 +82,8 @@ private:
     const Vector other = cross(direction(i), aside);
     for(std::uint32_t k = 0; k < sides; ++k) {
       const double angle = 2. * pi * k / sides;
-      const Vector normal = sum(sum({}, std::cos(angle), aside), std::sin(angle), other);
+      const Vector normal =
+          sum(sum({}, internal::cosine(angle), aside), internal::sine(angle), other);
       tube_.normals.push_back(normal);
       tube_.points.push_back(sum(line_[i], radii_[i], normal));
     }
@@ -88,7 +91,8 @@ private:
 
   // By how many sides the last ring is turned against the first one.
   std::uint32_t turn(const Vector& last, const Vector& first) const {
-    const double angle = std::atan2(dot(cross(direction(0), first), last), dot(first, last));
+    const double angle =
+        internal::arc_tangent(dot(cross(direction(0), first), last), dot(first, last));
     return static_cast<std::uint32_t>(std::lround(angle / (2. * pi) * sides) + sides) % sides;
   }
 
@@ -159,7 +163,7 @@ private:
     if(is_new) {
       Json light = Json::array();
       for(const unsigned char part : colour)
-        light.push_back(std::pow(part / 255., 2.2));
+        light.push_back(part == 0 ? 0. : internal::power(part / 255., 2.2));
       light.push_back(opacity);
       document_.add_material(
           {{"name", kind},
@@ -233,8 +237,8 @@ Smooth_surface ball_around(const Vector& middle, double radius) {
   std::vector<double> radii;
   for(int i = 0; i < rings; ++i) {
     const double angle = pi * i / (rings - 1);
-    line.push_back(sum(middle, -radius * std::cos(angle), {0., 0., 1.}));
-    radii.push_back(radius * std::sin(angle));
+    line.push_back(sum(middle, -radius * internal::cosine(angle), {0., 0., 1.}));
+    radii.push_back(radius * internal::sine(angle));
   }
   Smooth_surface ball = tube_around(line, false, radii);
   for(std::size_t i = 0; i < ball.points.size(); ++i)

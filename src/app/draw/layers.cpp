@@ -12,6 +12,8 @@
 #include "solve/reeb_solver.h"
 #include "write/mesh_writer.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,7 +26,7 @@ namespace {
 double light_at(double time, double last) {
   constexpr double mean = 0.5 * (1. + light_of_dark_bands);
   const double band = last > 0. ? time / last * number_of_time_bands : 0.;
-  return mean + (1. - mean) * std::cos(pi * band);
+  return mean + (1. - mean) * internal::cosine(pi * band);
 }
 
 constexpr Colour colour_of_rest = {222, 226, 232}, colour_of_front = {170, 20, 30};

@@ -96,8 +96,6 @@ std::uint32_t Level_cutter::add_middle(Mesh::Face_index f) {
   return static_cast<std::uint32_t>(surface_.points.size() - 1);
 }
 
-namespace internal = CGAL::Handle_tunnel_loops::internal;
-
 Arc_surface arc_surface(const Mesh& mesh, const Reeb_answer& answer) {
   if(answer.is_contracted) // borders are no contours
     return surface_of_labels(mesh, answer.vertex_arc);

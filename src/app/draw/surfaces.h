@@ -43,7 +43,7 @@ inline Vector cross(const Vector& a, const Vector& b) {
 
 /// the vector of length one, or the null vector.
 inline Vector unit(const Vector& a) {
-  const double length = std::hypot(a[0], a[1], a[2]);
+  const double length = length_of_vector(a[0], a[1], a[2]);
   return length > 0. ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{};
 }
 

@@ -9,6 +9,8 @@
 
 #include "draw/view.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -52,7 +54,7 @@ double area_of(const std::array<Vector, 3>& triangle) {
   const auto& [a, b, c] = triangle;
   const Vector normal = cross({b[0] - a[0], b[1] - a[1], b[2] - a[2]}, //
                               {c[0] - a[0], c[1] - a[1], c[2] - a[2]});
-  return std::hypot(normal[0], normal[1], normal[2]) / 2.;
+  return length_of_vector(normal[0], normal[1], normal[2]) / 2.;
 }
 
 // The n-th of points that are spread evenly over a triangle.
@@ -182,7 +184,7 @@ Vector best_direction(const Drawn_surface& surface,
       const double angle = 2. * pi * (i + 0.3) / around;
       Vector from;
       for(int k = 0; k < 3; ++k)
-        from[k] = std::cos(angle) * x[k] + std::sin(angle) * y[k] + height * z[k];
+        from[k] = internal::cosine(angle) * x[k] + internal::sine(angle) * y[k] + height * z[k];
       if(const double seen = visibility(unit(from), z); seen > most) {
         most = seen;
         best = from;

@@ -226,7 +226,7 @@ private:
     for(std::size_t i = 0; i < points.size(); ++i) {
       const Point& p = points[i];
       const Point& q = points[i + 1 == points.size() ? 0 : i + 1];
-      length += std::hypot(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
+      length += length_of_vector(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
     }
     if(points.size() != record.locations.size() || length == record.length)
       return record.length;

@@ -21,8 +21,6 @@
 namespace htloops {
 namespace {
 
-namespace internal = CGAL::Handle_tunnel_loops::internal;
-
 class Watch_by_function final : public internal::Watch
 {
 public:

@@ -218,7 +218,7 @@ private:
       if(distance(graph_[*it].point, node.point) > node.radius)
         break;
     }
-    const double length = std::hypot(direction.x(), direction.y(), direction.z());
+    const double length = length_of_vector(direction.x(), direction.y(), direction.z());
     arcs_at_[*begin].push_back({arc, length > 0. ? direction / length : direction});
   }
 
@@ -255,7 +255,7 @@ std::vector<Skeleton_arc> arcs_of(const Skeleton_graph& graph) { return Arc_find
 
 // Whatever the unit is: squares may be too large, or too small.
 double distance(const Point& p, const Point& q) {
-  return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+  return length_of_vector(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
 }
 
 double chord_of(const Skeleton_graph& graph, const Skeleton_arc& arc) {

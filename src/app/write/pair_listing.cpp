@@ -74,7 +74,8 @@ double relative_length(const Loop& loop, const CGAL::Bbox_3& box) {
   if(!(largest > 0.))
     return 0.; // all is at one place
   const auto distance = [largest](const auto& difference) {
-    return std::hypot(difference(0) / largest, difference(1) / largest, difference(2) / largest);
+    return length_of_vector(difference(0) / largest, difference(1) / largest,
+                            difference(2) / largest);
   };
   double length = 0.;
   const std::vector<Point>& points = loop.points();

@@ -362,10 +362,15 @@ std::vector<std::string> cells_of(const Listed_pair& pair, const Pair_columns& w
 }
 
 std::string three_digits(double number) {
-  const double digits = number > 0. ? std::floor(std::log10(number)) : 0.;
-  if(!(digits >= -3. && digits < 6.))
+  constexpr double least = 1e-3, most = 1e6;
+  if(!(number == 0. || (number >= least && number < most)))
     return formatted("%.3g", number);
-  return formatted("%.*f", (std::max)(0, 2 - static_cast<int>(digits)), number);
+  int digits = 2; // behind the point
+  for(double power = 10.; digits > 0 && power <= number; power *= 10.)
+    --digits;
+  for(double power = 1.; number > 0. && power > number; power /= 10.)
+    ++digits;
+  return formatted("%.*f", digits, number);
 }
 
 // The reasons, each once, with the number of pairs that it stands for.

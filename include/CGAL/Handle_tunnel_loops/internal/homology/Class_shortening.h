@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Neighbor_sums.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
@@ -310,7 +311,7 @@ private:
         for(const auto& c : duals[i]) {
           if(are_all_likely && coordinate(classes_->row(i), c.first) == 0)
             continue;
-          const int size = static_cast<int>(std::floor(2. * std::log2(lengths_[i])));
+          const int size = half_octave(lengths_[i]);
           Task& task = tasks.try_emplace({c.first, size}, Task{c.first, 0., {}}).first->second;
           task.length = (std::max)(task.length, lengths_[i]);
           task.targets.push_back(i);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <CGAL/assertions.h>
 
@@ -295,7 +296,7 @@ private:
     const Index c = target(bc), d = target(ad);
     const auto [x1, y1] = apex(h);
     const auto [x2, y2] = apex(g);
-    const double across = std::hypot(x1 - (length(h) - x2), y1 + y2);
+    const double across = rounded_length(x1 - (length(h) - x2), y1 + y2, 0.);
     const std::vector<Index> walk = joined(d, this->walk(twin(ad)), this->walk(twin(ca)));
     // The places of the other sides change; two of them may be one edge.
     const std::array<Index, 4> before = {ca, ad, db, bc}, after = {bc, ca, ad, db};

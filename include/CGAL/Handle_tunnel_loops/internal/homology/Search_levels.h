@@ -60,7 +60,7 @@ public:
     if(spacing_ == 0.)
       return 0;
     const double steps = length / (steps_around_ * spacing_);
-    return steps < 2. ? 0 : static_cast<int>((std::min)(std::log2(steps), largest_level));
+    return steps < 2. ? 0 : (std::min)(std::ilogb(steps), largest_level);
   }
 
   /// the mesh of a level, which has been counted.
@@ -102,11 +102,12 @@ private:
   // A loop, at least; ways along the edges of a finer triangulation are better.
   static constexpr double steps_around = 24., refined_steps_around = 20.;
   static constexpr double steps_around_shortest = 10.;
-  static constexpr double largest_level = 20.;
+  static constexpr int largest_level = 20;
   static constexpr double nodes_by_square = 0.7; // of the spacing
 
   double density(int k) const {
-    return k == 0 ? density_ : nodes_by_square / std::pow(std::ldexp(spacing_, k), 2);
+    const double spacing = std::ldexp(spacing_, k);
+    return k == 0 ? density_ : nodes_by_square / (spacing * spacing);
   }
 
   const Flat_mesh& mesh_;

@@ -28,6 +28,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -203,14 +204,14 @@ private:
     points_.refine(execution_, std::exchange(requests_, {}));
   }
 
-  double reach() const { return 1.1 * std::pow(1.25, (std::min)(effort_, 4)); }
+  double reach() const { return 1.1 * integer_power(1.25, (std::min)(effort_, 4)); }
 
   // Returns whether it is about as narrow as a radius.
   bool refine_at(const Narrow_place& narrow, double radius, double side) {
     constexpr double part_of_distance = 0.35, much = 1.5;
     const bool is_tight = narrow.distance < much * radius;
     requests_.push_back({narrow.place, reach() * narrow.distance,
-                         is_tight ? std::pow(0.7, (std::min)(effort_, 4)) * side
+                         is_tight ? integer_power(0.7, (std::min)(effort_, 4)) * side
                                   : (std::max)(side, part_of_distance * narrow.distance)});
     return is_tight;
   }

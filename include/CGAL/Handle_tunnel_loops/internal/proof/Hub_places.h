@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
@@ -126,7 +127,7 @@ private:
     for(std::size_t i = 0; i < curve_.size(); ++i) {
       const Vector a = flat(curve_[i] - p, up), b = flat(curve_[(i + 1) % curve_.size()] - p, up),
                    way = b - a;
-      angle += std::atan2(dot(cross(a, b), up) / norm(up), dot(a, b));
+      angle += arc_tangent(dot(cross(a, b), up) / norm(up), dot(a, b));
       const double square = dot(way, way),
                    t = square > 0. ? (std::max)(0., (std::min)(1., -dot(a, way) / square)) : 0.;
       least = (std::min)(least, norm(a + t * way));

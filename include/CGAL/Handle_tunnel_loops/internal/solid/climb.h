@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,7 @@ climb_across(const Wall& wall, const Inner_ball& start, const Vector& tangent, i
     std::array<Vector, 6> directions;
     for(int i = 0; i < 6; ++i) {
       const double angle = golden_angle * k + sixth_turn * i;
-      directions[i] = std::cos(angle) * u + std::sin(angle) * v;
+      directions[i] = cosine(angle) * u + sine(angle) * v;
     }
     return directions;
   });
@@ -75,7 +76,7 @@ inline Inner_ball climb_around(const Wall& wall, const Inner_ball& start, int mo
     for(int i = 0; i < number; ++i) { // on a spiral from pole to pole
       const double z = (2. * i + 1.) / number - 1., r = std::sqrt(1. - z * z),
                    angle = golden_angle * (i + k);
-      directions[i] = {r * std::cos(angle), r * std::sin(angle), z};
+      directions[i] = {r * cosine(angle), r * sine(angle), z};
     }
     return directions;
   });

@@ -14,8 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 /// \file rounded_product.h
 /// Products that are rounded before anything is added to them. Otherwise compilers may make
@@ -74,6 +76,15 @@ inline double half_difference(double a, double b) {
 /// the length of a vector, of products that are rounded.
 CGAL_HTL_HOST_DEVICE inline double rounded_length(double x, double y, double z) {
   return std::sqrt(rounded_product(x, x) + rounded_product(y, y) + rounded_product(z, z));
+}
+
+/// the same of vectors so long, or so short, that the squares are no numbers any more.
+inline double rounded_length_of_any(double x, double y, double z) {
+  const double most = (std::max)({std::abs(x), std::abs(y), std::abs(z)});
+  if(!(most > 0. && most <= (std::numeric_limits<double>::max)()))
+    return most;
+  const int e = std::ilogb(most);
+  return std::ldexp(rounded_length(std::ldexp(x, -e), std::ldexp(y, -e), std::ldexp(z, -e)), e);
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

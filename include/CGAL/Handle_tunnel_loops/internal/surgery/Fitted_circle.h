@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
@@ -70,7 +72,7 @@ private:
     constexpr double widest = CGAL_PI / 3. + 0.01;
     std::vector<double> angles;
     for(const Point& p : points)
-      angles.push_back(std::atan2(p.y() - center.y(), p.x() - center.x()));
+      angles.push_back(arc_tangent(p.y() - center.y(), p.x() - center.x()));
     std::sort(angles.begin(), angles.end());
     angles.push_back(angles.front() + 2. * CGAL_PI);
     for(std::size_t i = 1; i < angles.size(); ++i)

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -218,7 +219,7 @@ private:
       for(int i = 0; i < 3; ++i)
         if(CGAL::squared_distance(t[i], place_) <= rounding_) {
           const Vector a = t[i + 1] - t[i], b = t[i + 2] - t[i];
-          return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
+          return arc_tangent(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
         }
       return CGAL_PI;
     }

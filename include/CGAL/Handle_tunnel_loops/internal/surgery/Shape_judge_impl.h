@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Largest_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
@@ -194,7 +195,7 @@ private:
 
   // In degrees.
   static double fold(const Vector& m, const Vector& n) {
-    return std::atan2(std::sqrt(CGAL::cross_product(m, n).squared_length()), m * n) * 180. /
+    return arc_tangent(std::sqrt(CGAL::cross_product(m, n).squared_length()), m * n) * 180. /
            CGAL_PI;
   }
 

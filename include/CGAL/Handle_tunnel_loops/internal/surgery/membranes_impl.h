@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Collar.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
@@ -153,7 +154,7 @@ private:
       const double sine = std::sqrt(n.squared_length()),
                    lengths = std::sqrt(from.squared_length() * to.squared_length());
       if(sine > 0.)
-        normal = normal + n / sine * std::asin((std::min)(1., sine / lengths));
+        normal = normal + n / sine * arc_sine((std::min)(1., sine / lengths));
       room = (std::min)(room, most_slope * std::sqrt(from.squared_length()));
     }
     for(std::size_t i = 0; i < curve_.size(); ++i)

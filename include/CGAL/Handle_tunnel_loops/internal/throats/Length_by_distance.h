@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -41,7 +42,7 @@ public:
   /// where a bin begins, which is where the one before it ends.
   double begin(std::size_t bin) const {
     return bin <= even_bins ? size_ / 2. * double(bin) / double(even_bins)
-                            : size_ / 2. * std::pow(growth, double(bin - even_bins));
+                            : size_ / 2. * integer_power(growth, static_cast<int>(bin - even_bins));
   }
 
   double mean(std::size_t bin) const {
@@ -75,7 +76,7 @@ private:
   std::size_t bin_of(double distance) const {
     const double x = 2. * distance / size_;
     return x < 1. ? static_cast<std::size_t>(x * double(even_bins))
-                  : even_bins + static_cast<std::size_t>(std::log(x) / std::log(growth));
+                  : even_bins + static_cast<std::size_t>(logarithm(x) / logarithm(growth));
   }
 
   // From nothing at one end to the longest at the other.
