@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/rounded_rational.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
@@ -166,8 +167,8 @@ private:
                     c->vertex(k)->point().z()};
     const Exact::Point_3 centre =
         CGAL::circumcenter(corners[0], corners[1], corners[2], corners[3]);
-    return {{to_double(centre.x()), to_double(centre.y()), to_double(centre.z())},
-            std::sqrt(to_double(CGAL::squared_distance(centre, corners[0])))};
+    return {{rounded(centre.x()), rounded(centre.y()), rounded(centre.z())},
+            std::sqrt(rounded(CGAL::squared_distance(centre, corners[0])))};
   }
 
   // Where the edge across a facet is nearest to the corners of that: in the middle of the circle
