@@ -34,7 +34,7 @@ case "${1:-tool}" in
   all) wanted=("${all[@]}") ;;
   benchmarks) wanted=("${benchmarks[@]}") ;;
   web) wanted=("${web[@]}") ;;
-  web_tests) wanted=("${web[@]}" chromium firefox-esr) ;;
+  web_tests) wanted=("${web[@]}" chromium firefox-esr xvfb xauth libgl1-mesa-dri) ;;
   packages) wanted=("${packages[@]}") ;;
   judges) wanted=("${judges[@]}") ;;
   *)

@@ -10,11 +10,12 @@ export const modules = process.env.HTL_NODE_MODULES;
 
 const { default: puppeteer } = await import(pathToFileURL(createRequire(join(modules, '/')).resolve('puppeteer-core')));
 
-// `kind` is chromium or firefox; files are saved into `downloads` if that is given.
+// `kind` is chromium or firefox, which draws nothing without a screen; files are saved into `downloads` if that is
+// given.
 export async function launch(kind, downloads) {
   if (kind === 'firefox')
     return puppeteer.launch({
-      headless: true, browser: 'firefox', executablePath: '/usr/bin/firefox-esr',
+      headless: !process.env.DISPLAY, browser: 'firefox', executablePath: '/usr/bin/firefox-esr',
       extraPrefsFirefox: {
         'browser.download.folderList': 2, 'browser.download.dir': downloads ?? '', 'webgl.force-enabled': true,
         'browser.helperApps.neverAsk.saveToDisk': 'application/octet-stream',
@@ -35,6 +36,7 @@ export async function launch(kind, downloads) {
 // A page of the browser, and what it complained of.
 export async function newPage(browser) {
   const page = await browser.newPage(), complaints = [];
+  await page.setViewport({ width: 1300, height: 850 });
   page.on('console', message => {
     if (['error', 'warn'].includes(message.type()) && !/GPU stall|software WebGL|GroupMarker/.test(message.text()))
       complaints.push(message.text());

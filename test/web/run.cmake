@@ -1,4 +1,4 @@
-# Runs tests in node, if all that they need is there.
+# Runs tests in node, if all that they need is there; BEFORE is a command that runs others.
 foreach(needed IN LISTS NEEDED)
   if(IS_ABSOLUTE "${needed}")
     set(found "${needed}")
@@ -15,7 +15,7 @@ if(NOT NODE)
   message(STATUS "skipped: there is no node")
   return()
 endif()
-execute_process(COMMAND "${NODE}" --test "${FILE}" RESULT_VARIABLE result)
+execute_process(COMMAND ${BEFORE} "${NODE}" --test "${FILE}" RESULT_VARIABLE result)
 if(result)
   message(FATAL_ERROR "${FILE}: ${result}")
 endif()
