@@ -1,6 +1,10 @@
 # Finds what the package needs (CGAL) and what it can use. A missing optional library costs its
 # feature and one status line. Sets HTL_HAS_<NAME> for each optional library.
 
+if(HTL_STATIC)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+endif()
+
 # What comes into being here is seen here only, and a project that includes this one links it: see
 # below. Whatever is there already, that project has found itself; it cannot be changed from here.
 set(_htl_for_all)

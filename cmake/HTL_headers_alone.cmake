@@ -31,6 +31,11 @@ endfunction()
 
 _htl_add_headers_alone(headers_alone_public ${_htl_headers})
 _htl_add_headers_alone(headers_alone_internal ${_htl_internal_headers})
+# Programs may include windows.h first.
+if(NOT MSVC)
+  target_compile_options(headers_alone_public PRIVATE
+    -include "${CMAKE_CURRENT_SOURCE_DIR}/test/Handle_tunnel_loops/include/macros_of_windows.h")
+endif()
 set_tests_properties(headers_alone_internal PROPERTIES LABELS "package;long")
 # Parsing these again for each of hundreds of headers took more than all else that is compiled. What
 # programs include are the public headers, for which nothing is prepared.

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: for the tool, for the tests too, for the checks, for all
 # tests (some skip without what brings many packages: with valijson comes Qt), or for the benchmarks
-# beside other programs, which want VTK; for WebAssembly; for what is given away, as packages of Debian and
-# wheels; or the programs that judge what the tool writes, of which some are large, and two come from npm into
-# build/judges.
+# beside other programs, which want VTK; for WebAssembly, or to test that; for an executable for Windows; for
+# what is given away, as packages of Debian and wheels; or the programs that judge what the tool writes, of
+# which some are large, and two come from npm into build/judges.
 #
-#   scripts/install_dependencies.sh [tool|tests|checks|all|benchmarks|web|web_tests|packages|judges]
+#   scripts/install_dependencies.sh [GROUP]
+#
+# GROUP is tool, tests, checks, all, benchmarks, web, web_tests, windows, packages or judges.
 #
 # Touches nothing, and needs no network, where all is there. Where there is no apt-get it names the
 # libraries and goes on: the build then says itself what it lacks.
@@ -24,6 +26,8 @@ web=(cmake ninja-build emscripten esbuild dpkg-dev libcgal-dev libeigen3-dev lib
 command -v npm >/dev/null || web+=(npm) # that of Debian does not go with a node that is not
 packages=("${tests[@]}" debhelper dh-python dpkg-dev lintian debootstrap autopkgtest doxygen pkg-config
   python3-pip python3-setuptools python3-wheel python3-venv)
+windows=(cmake ninja-build g++-mingw-w64-x86-64-posix dpkg-dev libcgal-dev libeigen3-dev libcli11-dev nlohmann-json3-dev
+  libtinygltf-dev libstb-dev fonts-dejavu-core)
 judges=("${tests[@]}" python3-nibabel python3-gmsh blender paraview python3-paraview prusa-slicer
   pymol xvfb xauth)
 
@@ -35,10 +39,11 @@ case "${1:-tool}" in
   benchmarks) wanted=("${benchmarks[@]}") ;;
   web) wanted=("${web[@]}") ;;
   web_tests) wanted=("${web[@]}" chromium firefox-esr xvfb xauth libgl1-mesa-dri) ;;
+  windows) wanted=("${windows[@]}") ;;
   packages) wanted=("${packages[@]}") ;;
   judges) wanted=("${judges[@]}") ;;
   *)
-    echo "usage: $0 [tool|tests|checks|all|benchmarks|web|web_tests|packages|judges]" >&2
+    echo "usage: $0 [tool|tests|checks|all|benchmarks|web|web_tests|windows|packages|judges]" >&2
     exit 2
     ;;
 esac

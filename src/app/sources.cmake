@@ -58,6 +58,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/input_file.cpp
   read/loops_reader.cpp
   read/mesh_list.cpp
+  read/patterns.cpp
   read/skeleton_reader.cpp
   read/soup.cpp
   read/soup_diagnosis.cpp
@@ -74,6 +75,9 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/meshes/ply_reader.cpp
   read/meshes/stl_reader.cpp
   read/meshes/vtk_reader.cpp
+  system/console.cpp
+  system/files.cpp
+  system/memory.cpp
   write/Gltf_document.cpp
   write/Zip_archive.cpp
   write/channel_formats.cpp
@@ -107,6 +111,10 @@ endif()
 if(HTL_HAS_EXPAT)
   list(APPEND HTLOOPS_APP_SOURCES read/meshes/three_mf_reader.cpp)
 endif()
+
+# The headers of systems have macros that others would stumble over.
+set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/system/console.cpp"
+  "${CMAKE_CURRENT_LIST_DIR}/system/memory.cpp" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
 # Only one file has to be compiled again when the version changes.
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/version.cpp" PROPERTIES

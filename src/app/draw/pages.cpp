@@ -13,10 +13,12 @@
 #include "draw/surfaces.h"
 #include "draw/tints.h"
 #include "file_names.h"
+#include "system/files.h"
 #include "words.h"
 #include "write/files.h"
 #include "write/throat_tables.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/algorithm/string/join.hpp>
@@ -77,8 +79,8 @@ std::vector<Point> circles_of(const Ball& ball) {
     for(int i = 0; i <= corners; ++i) {
       const double angle = 2. * CGAL_PI * i / corners;
       std::array<double, 3> p = {0., 0., 0.};
-      p[static_cast<std::size_t>(axis)] = ball.diameter / 2. * std::cos(angle);
-      p[static_cast<std::size_t>((axis + 1) % 3)] = ball.diameter / 2. * std::sin(angle);
+      p[static_cast<std::size_t>(axis)] = ball.diameter / 2. * internal::cosine(angle);
+      p[static_cast<std::size_t>((axis + 1) % 3)] = ball.diameter / 2. * internal::sine(angle);
       points.emplace_back(ball.throat.x() + p[0], ball.throat.y() + p[1], ball.throat.z() + p[2]);
     }
   return points;
@@ -251,7 +253,7 @@ htl_window::Scene scene_of(const View& view,
                            const std::string& mesh_file,
                            const std::string& surface_name,
                            const Drawn_surface& surface) {
-  const std::filesystem::path path(mesh_file);
+  const std::filesystem::path path = path_of(mesh_file);
   htl_window::Scene scene;
   scene.title = title + " " + printable(path.filename().string());
   scene.name = printable(path.stem().string());

@@ -13,6 +13,7 @@
 #include "file_names.h"
 #include "interrupt.h"
 #include "read/unpacking.h"
+#include "system/files.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -55,12 +56,11 @@ std::string read_whole_file(const std::string& file) {
   constexpr std::size_t some = std::size_t(1) << 20;
   if(file == "-")
     return read_to_the_end(stdin, some, "the standard input");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                               std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open(file, "rb"), std::fclose);
   if(!stream)
     fail(file);
   std::error_code error; // of what is no regular file
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  const std::uintmax_t size = std::filesystem::file_size(path_of(file), error);
   return read_to_the_end(stream.get(), error ? some : static_cast<std::size_t>(size), file);
 }
 

@@ -11,47 +11,15 @@
 
 #include "interrupt.h"
 #include "read/input_file.h"
+#include "system/memory.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <new>
 
-#if __has_include(<sys/resource.h>) && __has_include(<unistd.h>)
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
-
 namespace htloops {
 namespace {
-
-// Of the machine; some systems do not say.
-std::uint64_t memory_of_machine() {
-#ifdef _SC_PHYS_PAGES
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
-  if(pages > 0 && size > 0)
-    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size);
-#endif
-  return std::uint64_t(16) << 30;
-}
-
-// Of the container that the program runs in, if it is in one; and as the shell has limited it.
-std::uint64_t memory_allowed() {
-#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-  return std::uint64_t(1) << 28; // or most of the time would go into large inputs
-#endif
-  std::uint64_t allowed = (std::numeric_limits<std::uint64_t>::max)();
-  std::ifstream limit_of_container("/sys/fs/cgroup/memory.max");
-  if(std::uint64_t bytes = 0; limit_of_container >> bytes)
-    allowed = bytes;
-#ifdef RLIMIT_AS
-  rlimit limit{};
-  if(getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    allowed = (std::min)(allowed, static_cast<std::uint64_t>(limit.rlim_cur));
-#endif
-  return allowed;
-}
 
 std::string in_megabytes(std::size_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
 

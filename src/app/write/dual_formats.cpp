@@ -10,6 +10,7 @@
 #include "write/dual_formats.h"
 
 #include "failure.h"
+#include "system/files.h"
 #include "write/Vtk_writer.h"
 #include "write/documents.h"
 #include "write/files.h"
@@ -200,8 +201,7 @@ constexpr File_format<void(Text_writer&, const Written_cuts&)> dual_formats[] = 
 };
 
 const auto& dual_format_of(const std::string& file) {
-  return format_of(std::filesystem::path(file).has_extension() ? file : file + ".json",
-                   dual_formats);
+  return format_of(path_of(file).has_extension() ? file : file + ".json", dual_formats);
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 
 #include "file_names.h"
 #include "interrupt.h"
+#include "system/files.h"
 #include "window/packing.h"
 
 #include <cerrno>
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 // Beside the file. Not with its name, which may be as long as a name can be.
 std::string name_of_temporary(const fs::path& destination) {
   static std::random_device random;
-  return (destination.parent_path() / ("htloops.part-" + std::to_string(random()))).string();
+  return name_of_path(destination.parent_path() / ("htloops.part-" + std::to_string(random())));
 }
 
 bool is_dangling_link(const fs::path& path) {
@@ -46,7 +47,7 @@ void fail_to_write(const std::string& target, const std::string& reason) {
 void fail_to_write(const std::string& target) { fail_to_write(target, std::strerror(errno)); }
 
 Open_file open_file(const std::string& file, const char* mode, const std::string& target) {
-  Open_file opened(std::fopen(file.c_str(), mode));
+  Open_file opened(open(file, mode));
   if(!opened)
     fail_to_write(target);
   return opened;
@@ -55,12 +56,12 @@ Open_file open_file(const std::string& file, const char* mode, const std::string
 std::string destination_of(const std::string& target) {
   constexpr int largest_number_of_links = 40;
   std::error_code error;
-  fs::path path = target;
+  fs::path path = path_of(target);
   for(int i = 0; i < largest_number_of_links && is_dangling_link(path); ++i)
     path = path.parent_path() / fs::read_symlink(path, error);
   // Of a name alone, of which nothing exists, the canonical path would be no whole one.
   const fs::path canonical = fs::weakly_canonical(fs::absolute(path, error), error);
-  return error ? path.string() : canonical.string();
+  return name_of_path(error ? path : canonical);
 }
 
 // A name under which a file appears complete or not at all. What is to be seen is written to
@@ -72,28 +73,30 @@ public:
   explicit Staged_path(const std::string& target)
       : target_(target) {
     std::error_code error;
-    const fs::file_status status = fs::status(destination_, error);
+    const fs::file_status status = fs::status(path_of(destination_), error);
     if(fs::is_directory(status))
       fail_to_write(target, "it is a folder");
     if(fs::exists(status) && !fs::is_regular_file(status)) {
       temporary_ = destination_;
       return;
     }
-    if(is_dangling_link(destination_))
+    if(is_dangling_link(path_of(destination_)))
       fail_to_write(target, "its links lead nowhere");
     if(fs::exists(status)) // renaming would replace a read-only file without asking
       open_file(destination_, "r+b", target);
     unfinished_.emplace();
-    const std::string temporary = name_of_temporary(destination_);
+    const std::string temporary = name_of_temporary(path_of(destination_));
     open_file(temporary, "wbx", target);
     temporary_ = temporary;
     if(fs::exists(status))
-      fs::permissions(temporary_, status.permissions(), error);
+      fs::permissions(path_of(temporary_), status.permissions(), error);
   }
 
   ~Staged_path() {
-    if(!is_committed_ && !is_in_place())
-      std::remove(temporary_.c_str());
+    if(!is_committed_ && !is_in_place()) {
+      std::error_code error;
+      fs::remove(path_of(temporary_), error);
+    }
   }
 
   const std::string& target() const { return target_; }
@@ -102,7 +105,7 @@ public:
   void commit() {
     if(!is_in_place()) {
       std::error_code error;
-      fs::rename(temporary_, destination_, error);
+      fs::rename(path_of(temporary_), path_of(destination_), error);
       if(error)
         fail_to_write(target_, error.message());
     }

@@ -12,6 +12,7 @@
 #include "failure.h"
 #include "file_names.h"
 #include "interrupt.h"
+#include "system/files.h"
 
 #include <cerrno>
 #include <cstring>
@@ -31,11 +32,11 @@ Growing_file::Growing_file(const std::string& target, std::string header)
 
 std::string Growing_file::old_lines() const {
   std::error_code error;
-  if(!fs::exists(target_, error))
+  if(!fs::exists(path_of(target_), error))
     return "";
-  if(!fs::is_regular_file(target_, error))
+  if(!fs::is_regular_file(path_of(target_), error))
     throw wrong_usage(printable(target_) + " cannot be resumed: it is not a regular file");
-  std::ifstream stream(target_, std::ios::binary);
+  std::ifstream stream(path_of(target_), std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
   if(!stream.eof() && stream.fail())
     throw wrong_usage(printable(target_) + " cannot be resumed: it cannot be read");
@@ -52,7 +53,7 @@ void Growing_file::go_on_after(const std::string& lines) {
     return;
   std::error_code error;
   size_ = header_.size() + lines.size();
-  fs::resize_file(target_, size_, error);
+  fs::resize_file(path_of(target_), size_, error);
   if(error)
     fail_to_write(target_, error.message());
 }
@@ -79,8 +80,8 @@ void Growing_file::append(std::string_view lines) {
   }
   const std::string reason = std::strerror(errno);
   std::error_code error;
-  if(file_ && fs::is_regular_file(target_, error))
-    fs::resize_file(target_, size_, error);
+  if(file_ && fs::is_regular_file(path_of(target_), error))
+    fs::resize_file(path_of(target_), size_, error);
   fail_to_write(file_ ? target_ : "the standard output", reason);
 }
 

@@ -9,6 +9,7 @@
 
 #include "write/seam_script.h"
 
+#include "system/files.h"
 #include "write/files.h"
 
 #include <nlohmann/json.hpp>
@@ -156,9 +157,9 @@ std::string path_from(const std::string& script, const std::string& mesh_file) {
   if(mesh_file == "-")
     return "";
   std::error_code error;
-  const fs::path folder = fs::absolute(destination_of(script), error).parent_path();
-  const fs::path path = fs::proximate(fs::absolute(mesh_file, error), folder, error);
-  return error ? mesh_file : path.generic_string();
+  const fs::path folder = fs::absolute(path_of(destination_of(script)), error).parent_path();
+  const fs::path path = fs::proximate(fs::absolute(path_of(mesh_file), error), folder, error);
+  return error ? mesh_file : name_of_path(path);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 
 #include "app/failure.h"
 #include "app/file_names.h"
+#include "app/system/files.h"
 #include "commands/command.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -64,7 +65,7 @@ bool goes_on(const std::string& word, const CLI::Option& option) {
   std::vector<std::string> items;
   append_items(word, items);
   std::error_code error;
-  return !items.empty() && !std::filesystem::exists(word, error) &&
+  return !items.empty() && !std::filesystem::exists(path_of(word), error) &&
          (is_number(items.front()) || is_one_of(items.front(), option));
 }
 

@@ -14,6 +14,7 @@
 #include "app/interrupt.h"
 #include "app/read/meshes/mesh_formats.h"
 #include "app/solve/progress.h"
+#include "app/system/files.h"
 #include "commands/command.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ Mesh_line solve_one(Loops_options options, const std::string& file) {
   options.mesh_file = file;
   return line_of(file, [&] {
     std::error_code error;
-    if(std::filesystem::is_directory(file, error))
+    if(std::filesystem::is_directory(path_of(file), error))
       throw Failure(Exit_code::UNREADABLE_FILE,
                     "no file in the folder " + printable(file) +
                         " has the name of a mesh: " + words_of_mesh_endings());

@@ -14,6 +14,7 @@
 #include "app/read/mesh_list.h"
 #include "app/read/meshes/mesh_formats.h"
 #include "app/read/sources.h"
+#include "app/system/files.h"
 #include "app/write/files.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/pair_listing.h"
@@ -67,9 +68,10 @@ bool is_same_file(const std::string& name, const std::string& other) {
   std::error_code error;
   if(name == other)
     return true;
-  if(fs::is_character_file(name, error))
+  if(fs::is_character_file(path_of(name), error))
     return false;
-  return fs::equivalent(name, other, error) || destination_of(name) == destination_of(other);
+  return fs::equivalent(path_of(name), path_of(other), error) ||
+         destination_of(name) == destination_of(other);
 }
 
 void check_differ(const Named_file& file, const std::string& path, const Named_file& output) {
@@ -399,7 +401,7 @@ Picture_options around_bones(Picture_options picture) {
 }
 
 void check_name(const std::string& file, const char* what, const std::vector<std::string>& ends) {
-  const std::string extension = std::filesystem::path(file).extension().string();
+  const std::string extension = name_of_path(path_of(file).extension());
   const auto is_extension = [&extension](const std::string& end) {
     return boost::algorithm::iequals(extension, end);
   };

@@ -183,7 +183,7 @@ Outcome outcome_of(const std::function<void()>& action) {
 }
 
 int run_tool(int argc, char** argv) {
-  occupy_standard_streams();
+  prepare_standard_streams();
   CLI::App app(tool_description, "htloops");
   app.formatter(std::make_shared<Help_formatter>("COMMAND"));
   app.failure_message(usage_message);
@@ -204,12 +204,12 @@ int run_tool(int argc, char** argv) {
       ->group("Help");
   complete_help(app, tool_footer);
 
-  if(argc < 2) {
+  std::vector<std::string> arguments = words_of_command_line(argc, argv);
+  if(arguments.empty()) {
     std::cerr << app.help();
     return static_cast<int>(Exit_code::WRONG_USAGE);
   }
   try {
-    std::vector<std::string> arguments(argv + 1, argv + argc);
     check_lists(app, arguments);
     write_out_bores(arguments);
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them

@@ -14,13 +14,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <fcntl.h>
-#include <unistd.h>
-#endif
-
 namespace htloops {
 namespace {
 
@@ -28,23 +21,6 @@ constexpr int width = 32;
 constexpr std::chrono::milliseconds shortest_pause{50};
 
 } // namespace
-
-bool is_terminal(std::FILE* stream) {
-#ifdef _WIN32
-  return _isatty(_fileno(stream)) != 0;
-#else
-  return isatty(fileno(stream)) != 0;
-#endif
-}
-
-void occupy_standard_streams() {
-#ifndef _WIN32
-  for(int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
-    if(fcntl(stream, F_GETFD) == -1)
-      open("/dev/null",
-           stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); // what it is for fails as before
-#endif
-}
 
 bool use_colour(const std::string& when, std::FILE* stream) {
   if(when != "auto")

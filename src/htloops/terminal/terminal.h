@@ -11,6 +11,7 @@
 #define HTLOOPS_TERMINAL_H
 
 #include "app/solve/progress.h"
+#include "app/system/console.h"
 
 #include <chrono>
 #include <cstdio>
@@ -18,13 +19,6 @@
 #include <string>
 
 namespace htloops {
-
-/// whether a person looks at the stream.
-bool is_terminal(std::FILE* stream);
-
-/// sees to it that no file that is opened takes the place of a standard stream that is closed,
-/// where it would get what is printed.
-void occupy_standard_streams();
 
 /// whether to colour what goes to the stream; `when` is auto, always or never.
 bool use_colour(const std::string& when, std::FILE* stream);

@@ -11,6 +11,7 @@
 #include "read/meshes/readers.h"
 #include "read/sources.h"
 #include "read/unpacking.h"
+#include "system/files.h"
 
 #include <CGAL/Aff_transformation_3.h>
 
@@ -79,7 +80,8 @@ bool skip_image(tinygltf::Image*,
 // A buffer is a file in the folder of the text, or below: not one that a stranger wants to see.
 bool is_below(const std::string& folder, const std::string& path) {
   namespace fs = std::filesystem;
-  const fs::path rest = folder.empty() ? fs::path(path) : fs::path(path).lexically_relative(folder);
+  const fs::path rest =
+      folder.empty() ? path_of(path) : path_of(path).lexically_relative(path_of(folder));
   return !rest.empty() && rest.is_relative() &&
          std::none_of(rest.begin(), rest.end(), [](const fs::path& part) { return part == ".."; });
 }
@@ -87,7 +89,7 @@ bool is_below(const std::string& folder, const std::string& path) {
 bool is_buffer_there(const std::string& path, void* folder) {
   std::error_code error;
   return is_below(*static_cast<const std::string*>(folder), path) &&
-         std::filesystem::is_regular_file(path, error);
+         std::filesystem::is_regular_file(path_of(path), error);
 }
 
 // The library would have a shell read the name.
@@ -156,7 +158,7 @@ private:
     const auto size = static_cast<unsigned>(content.size());
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(skip_image, nullptr);
-    std::string folder = std::filesystem::path(file_.path()).parent_path().string();
+    std::string folder = name_of_path(path_of(file_.path()).parent_path());
     reader.SetFsCallbacks({is_buffer_there, same_path, read_buffer, nullptr, &folder});
     std::string error, warning;
     const bool is_read =
