@@ -130,7 +130,11 @@ class App {
     const main = document.querySelector('main'), input = element('file');
     element('open').onclick = () => input.click();
     const take = files => this.perform(() => this.take([...files]));
-    input.onchange = () => take(input.files);
+    input.onchange = () => {
+      const files = [...input.files];
+      input.value = ''; // the same file can be opened again
+      take(files);
+    };
     for (const name of ['dragenter', 'dragover', 'dragleave', 'drop'])
       document.addEventListener(name, event => {
         event.preventDefault();

@@ -56,8 +56,10 @@ public:
       return place;
     };
     for(Index e = 0; e < graph.edges.size(); ++e)
-      if(is_taken[e])
-        join(place_of(graph.edges[e][0]), place_of(graph.edges[e][1]));
+      if(is_taken[e]) { // places are numbered as they come, in the same order by all compilers
+        const Index second = place_of(graph.edges[e][1]);
+        join(place_of(graph.edges[e][0]), second);
+      }
     for(Index root : graph.roots_without_edges(roots, is_taken))
       place_of(root);
   }

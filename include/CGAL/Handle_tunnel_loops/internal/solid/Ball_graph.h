@@ -369,7 +369,8 @@ private:
     const std::vector<Vector> between = free_way(a, from.front(), b, to.front());
     if(between.empty())
       return is_needed && join_by_pieces(a, b);
-    join(ball_at_place(a), between, ball_at_place(b));
+    const Index end = ball_at_place(b); // numbered as it comes, in the same order by all compilers
+    join(ball_at_place(a), between, end);
     return true;
   }
 

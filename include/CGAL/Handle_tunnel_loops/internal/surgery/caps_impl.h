@@ -177,8 +177,12 @@ private:
       if(out.contains(f) || !copied_faces_.insert(f).second)
         return;
       const Surgery_mesh::Face& c = mesh_.corners(f);
-      is_complete = copy_.add_face(copied(c[0]), copied(c[1]), copied(c[2])) != Mesh::null_face() &&
-                    is_complete;
+      // Vertices are numbered as they come, in the same order by all compilers.
+      std::array<Vertex, 3> corners;
+      for(std::size_t k = 3; k-- > 0;)
+        corners[k] = copied(c[k]);
+      is_complete =
+          copy_.add_face(corners[0], corners[1], corners[2]) != Mesh::null_face() && is_complete;
     });
     return is_complete;
   }
