@@ -185,8 +185,8 @@ private:
         }
       });
     }
-    std::sort(region.begin(), region.end(),
-              [](const Part& a, const Part& b) { return a.distance < b.distance; });
+    std::stable_sort(region.begin(), region.end(),
+                     [](const Part& a, const Part& b) { return a.distance < b.distance; });
     for(std::size_t i = 1; i < region.size(); ++i) {
       region[i].area += region[i - 1].area;
       region[i].extent += region[i - 1].extent;

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -30,8 +31,8 @@ struct Placed_number
   Index number;
 };
 
-/// puts the smaller half of places along the axis on which they extend farthest before the others.
-/// What is empty has infinite corners.
+/// puts the smaller half of places along the axis on which they extend farthest before the others;
+/// of those that are equal, the smaller numbers. What is empty has infinite corners.
 template <typename Iterator> void halve(Iterator begin, Iterator middle, Iterator end) {
   Box<3> extent = Box<3>::empty();
   for(Iterator i = begin; i != end; ++i)
@@ -41,13 +42,14 @@ template <typename Iterator> void halve(Iterator begin, Iterator middle, Iterato
     if(extent.high[d] - extent.low[d] > extent.high[axis] - extent.low[axis])
       axis = d;
   std::nth_element(begin, middle, end, [&](const Placed_number& a, const Placed_number& b) {
-    return a.corner[axis] < b.corner[axis];
+    return std::tie(a.corner[axis], a.number) < std::tie(b.corner[axis], b.number);
   });
 }
 
 /// the numbers 0 .. n - 1 of things in an order in which those near each other follow each other;
 /// `box(i)` is the box of the i-th. They are halved again and again, until \p group_size are left,
-/// where they extend farthest, so that one far away makes no neighbours of others that are none.
+/// where they extend farthest, so that one far away makes no neighbours of others that are none;
+/// these stand by their numbers.
 template <std::size_t group_size, typename Function>
 std::vector<Index> halved_order(Execution execution, std::size_t n, const Function& box) {
   std::vector<Placed_number> places(n);
@@ -64,6 +66,13 @@ std::vector<Index> halved_order(Execution execution, std::size_t n, const Functi
         1);
   std::vector<Index> order(n);
   for_each_index(execution, n, [&](std::size_t i) { order[i] = places[i].number; });
+  // What is left of halving stands in the order that a library leaves.
+  std::size_t groups = 1;
+  while(groups * group_size < n)
+    groups *= 2;
+  for_each_index(execution, groups, [&](std::size_t i) {
+    std::sort(order.begin() + i * n / groups, order.begin() + (i + 1) * n / groups);
+  });
   return order;
 }
 
