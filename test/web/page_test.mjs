@@ -104,6 +104,16 @@ test('chosen handles are removed, and the new mesh goes on', async () => {
   assert.match(await message(), /genus 9/);
 });
 
+test('all samples are there', async () => {
+  const samples = await page.$$eval('#sample option', nodes => nodes.map(({ value }) => value).filter(value => value));
+  assert.equal(samples.length, 6);
+  for (const sample of samples) {
+    await doing(() => page.select('#sample', sample));
+    assert.match(await message(), /^genus \d+/, sample);
+    await isShown();
+  }
+});
+
 test('the other tasks are shown, too', async () => {
   await open('multi-torus.stl');
   for (const task of ['measure', 'reeb', 'skeleton', 'clean', 'cut']) {

@@ -56,7 +56,7 @@ export const tasks = {
 export const samples = [
   ['Two tori, joined', ['multi-torus', '--genus', '2', '--faces', '20000']],
   ['A plate with bores', ['bores', '--faces', '20000']],
-  ['A scan with noise', ['scan', '--faces', '30000']],
+  ['A scan with noise', ['scan', '--faces', '40000']],
   ['A gyroid', ['gyroid', '--faces', '60000']],
   ['A lattice', ['lattice', '--faces', '30000']],
   ['A knotted tube', ['trefoil', '--faces', '20000']],
