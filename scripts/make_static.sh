@@ -16,9 +16,7 @@ scripts/install_dependencies.sh tool
 work=build/static-work
 generator=()
 [ -f "$work/CMakeCache.txt" ] || ! command -v ninja >/dev/null || generator=(-G Ninja)
-cmake -S . -B "$work" "${generator[@]}" -DCMAKE_BUILD_TYPE=Release -DHTL_STATIC=ON -DHTL_THREADS=STD \
-  -DHTL_CUDA=OFF -DHTL_PYTHON=OFF -DHTL_BUILD_TESTS=OFF -DHTL_BUILD_EXAMPLES=OFF \
-  -DHTL_BUILD_BENCHMARKS=OFF "$@"
+cmake -S . -B "$work" "${generator[@]}" -C cmake/tool_alone.cmake -DHTL_STATIC=ON -DHTL_THREADS=STD "$@"
 cmake --build "$work" --target htloops --parallel "${JOBS:-$(nproc)}"
 
 # Whatever it lacks is missed here, not by its users.

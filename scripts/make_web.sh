@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 
 folder=$(realpath -m "${1:-web}")
 build=build/web
+package=$build/package
 emscripten=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
 export NODE_PATH=/usr/share/nodejs # a node that is not Debian's does not look there
 
@@ -29,40 +30,35 @@ compile() {
   local prefix="$PWD/$build/prefix"
   scripts/make_cross_prefix.sh "$prefix" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$emscripten" \
     -DCMAKE_CXX_FLAGS=-fwasm-exceptions
-  cmake -S . -B "$build/tool" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$emscripten" -DCMAKE_BUILD_TYPE=Release \
+  cmake -S . -B "$build/tool" -G Ninja -DHTL_PREFIX="$prefix" -C cmake/tool_alone.cmake \
+    -DCMAKE_TOOLCHAIN_FILE="$emscripten" -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY \
     -DCMAKE_CXX_FLAGS_RELEASE="$optimization" -DCMAKE_CXX_FLAGS="$flags" \
-    -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=ONLY \
-    -DCGAL_DIR="$prefix/share/cmake/CGAL" -DCGAL_DISABLE_GMP=ON \
-    -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$prefix/include" -DHTL_THREADS=NONE \
-    -DHTL_FONT="$PWD/$build/font.ttf" -DHTL_STB="$prefix/include" \
-    -DHTL_CUDA=OFF -DHTL_PYTHON=OFF -DHTL_BUILD_TESTS=OFF -DHTL_BUILD_EXAMPLES=OFF \
-    -DHTL_BUILD_BENCHMARKS=OFF -DHTL_INSTALL=OFF
+    -DHTL_THREADS=NONE -DHTL_FONT="$PWD/$build/font.ttf"
   cmake --build "$build/tool" --target htloops --parallel "$(nproc)"
+}
+
+# The module of JavaScript, with what it is compiled to.
+lay_out_package() {
+  rm -rf "$package"
+  mkdir -p "$package"
+  cp src/web/module/* "$build"/tool/bin/htloops.{js,wasm} LICENSE packaging/NOTICES packaging/npm/README.md "$package"
+  sed "s/@version@/$(<VERSION)/" packaging/npm/package.json >"$package/package.json"
 }
 
 make_page() {
   local made="$build/page"
-  mkdir -p "$made" "$folder"
-  zopfli --i5 -c "$build/tool/bin/htloops.wasm" | base64 --wrap=0 >"$made/module"
-  esbuild src/web/page/page_worker.js --bundle --minify --log-level=warning \
-    --alias:htloops="$PWD/$build/tool/bin/htloops.js" --outfile="$made/worker"
+  mkdir -p "$made"
+  zopfli --i5 -c "$package/htloops.wasm" | base64 --wrap=0 >"$made/module"
+  esbuild "$package/browser_worker.js" --bundle --minify --log-level=warning --outfile="$made/worker"
   esbuild src/web/page/app.js --bundle --minify --format=esm --log-level=warning --outfile="$made/script"
   node src/web/assemble.js src/web/page/app.html "$folder/index.html" style=src/web/page/app.css \
     module="$made/module" worker="$made/worker" script="$made/script" version=VERSION
 }
 
-make_package() {
-  local made="$build/package"
-  rm -rf "$made"
-  mkdir -p "$made"
-  cp src/web/module/* "$build"/tool/bin/htloops.{js,wasm} LICENSE packaging/NOTICES packaging/npm/README.md "$made"
-  sed "s/@version@/$(<VERSION)/" packaging/npm/package.json >"$made/package.json"
-  (cd "$made" && npm pack --silent --pack-destination "$folder" >/dev/null)
-}
-
-mkdir -p "$build"
+mkdir -p "$build" "$folder"
 make_font
 compile
+lay_out_package
 make_page
-make_package
+(cd "$package" && npm pack --silent --pack-destination "$folder" >/dev/null)
 ls -l "$folder"

@@ -16,13 +16,9 @@ toolchain=-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/mingw_w64.cmake
 prefix=$PWD/build/windows-prefix
 work=build/windows-work
 scripts/make_cross_prefix.sh "$prefix" -G Ninja "$toolchain"
-cmake -S . -B "$work" -G Ninja "$toolchain" -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_FIND_ROOT_PATH="$prefix" -DCMAKE_PREFIX_PATH="$prefix" \
-  -DCGAL_DIR="$prefix/share/cmake/CGAL" -DCGAL_DISABLE_GMP=ON -DCMAKE_CXX_FLAGS=-DCGAL_DISABLE_GMP=1 \
-  -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$prefix/include" \
-  -DHTL_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf -DHTL_STB="$prefix/include" \
-  -DHTL_STATIC=ON -DHTL_THREADS=STD -DHTL_CUDA=OFF -DHTL_PYTHON=OFF -DHTL_BUILD_TESTS=OFF \
-  -DHTL_BUILD_EXAMPLES=OFF -DHTL_BUILD_BENCHMARKS=OFF -DHTL_INSTALL=OFF "$@"
+cmake -S . -B "$work" -G Ninja -DHTL_PREFIX="$prefix" -C cmake/tool_alone.cmake "$toolchain" \
+  -DCMAKE_CXX_FLAGS=-DCGAL_DISABLE_GMP=1 -DHTL_STATIC=ON -DHTL_THREADS=STD \
+  -DHTL_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf "$@"
 cmake --build "$work" --target htloops --parallel "${JOBS:-$(nproc)}"
 
 # Whatever it would ask Windows for is there in all of them.

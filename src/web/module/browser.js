@@ -1,6 +1,7 @@
 // The package in a browser, by itself or through a bundler.
 
 import { makeAnswers } from './answers.js';
+import { portOf } from './browser_port.js';
 import { makeClient, HtloopsError } from './client.js';
 
 async function load() {
@@ -10,15 +11,8 @@ async function load() {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-function startWorker() {
-  const worker = new Worker(new URL('./browser_worker.js', import.meta.url), { type: 'module' });
-  return {
-    post: message => worker.postMessage(message),
-    terminate: () => worker.terminate(),
-    onMessage: listener => worker.addEventListener('message', event => listener(event.data)),
-    onError: listener => worker.addEventListener('error', listener),
-  };
-}
+const startWorker = () =>
+  portOf(new Worker(new URL('./browser_worker.js', import.meta.url), { type: 'module' }));
 
 export const { run, loops, measure, reebGraph, skeleton, removeHandles, clean, cut, generate } =
   makeAnswers(makeClient(load, startWorker));

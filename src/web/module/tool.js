@@ -32,7 +32,7 @@ function openStreams(fs, { read, write, terminals }) {
 // How the run ended: its exit code, and its files.
 // `create` makes an instance (it is what emscripten wrote), `code` is a WebAssembly.Module;
 // `prepare(fs)` puts files where the run finds them.
-export async function runTool({ create, code, args, streams, prepare = () => {}, environment = {} }) {
+export async function runTool({ create, code, args, streams, prepare, environment }) {
   const instance = await create({
     instantiateWasm(imports, receive) {
       WebAssembly.instantiate(code, imports).then(made => receive(made, code));

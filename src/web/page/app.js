@@ -1,5 +1,6 @@
 // The page that computes: a mesh comes in, a task is chosen, its page is shown, and results are saved.
 
+import { portOf } from '../module/browser_port.js';
 import { makeClient } from '../module/client.js';
 import { commandLine, page, placeOf, remediesIn, samples, tasks } from './tasks.js';
 
@@ -21,17 +22,7 @@ async function load() {
 
 const workerAddress = URL.createObjectURL(new Blob([element('worker').textContent], { type: 'text/javascript' }));
 
-function startWorker() {
-  const worker = new Worker(workerAddress);
-  return {
-    post: message => worker.postMessage(message),
-    terminate: () => worker.terminate(),
-    onMessage: listener => worker.addEventListener('message', event => listener(event.data)),
-    onError: listener => worker.addEventListener('error', listener),
-  };
-}
-
-const { run } = makeClient(load, startWorker);
+const { run } = makeClient(load, () => portOf(new Worker(workerAddress)));
 
 // ---- files
 
@@ -49,6 +40,10 @@ function download(name, bytes) {
 }
 
 const seconds = since => `${((performance.now() - since) / 1000).toFixed(1)} s`;
+
+// What a run said, without the name of the tool.
+const wordsOf = ({ output, messages }) =>
+  (new TextDecoder().decode(output) + messages).replaceAll('htloops: ', '').trimEnd();
 
 // The first line that is none of a table.
 const summaryIn = words => words.split('\n').find(line => /^\S/.test(line)) ?? '';
@@ -266,8 +261,7 @@ class App {
     const result = await this.runTask(task.label, task, [...task.written, page], settings);
     if (!result)
       return;
-    const { exitCode, files, messages, output } = result;
-    const words = (new TextDecoder().decode(output) + messages).replaceAll('htloops: ', '').trimEnd();
+    const { exitCode, files } = result, words = wordsOf(result);
     if (!files[page.file]) {
       this.say(words || `Nothing was found (${exitCode}).`, true);
       this.offer(words, () => this.compute(task, settings));
@@ -304,7 +298,7 @@ class App {
       const result = await this.runTask(`Writing: ${wanted.label}`, task, [wanted], this.settings);
       if (!result?.files[file]) {
         if (result)
-          this.say(result.messages.replaceAll('htloops: ', '').trim(), true);
+          this.say(wordsOf(result), true);
         return;
       }
       this.results[file] = result.files[file];

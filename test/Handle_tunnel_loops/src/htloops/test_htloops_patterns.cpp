@@ -15,7 +15,7 @@ namespace test_htloops_patterns {
 using htloops::fits;
 using htloops::names_fitting;
 
-TEST(Patterns, StandForNames) {
+TEST(Patterns, stand_for_names) {
   EXPECT_TRUE(fits("", ""));
   EXPECT_TRUE(fits("", "*"));
   EXPECT_FALSE(fits("", "?"));
@@ -32,7 +32,7 @@ TEST(Patterns, StandForNames) {
   EXPECT_FALSE(fits(std::string(10000, 'a'), "*a*a*a*a*a*a*a*a*b"));
 }
 
-TEST(Patterns, HaveBrackets) {
+TEST(Patterns, have_brackets) {
   EXPECT_TRUE(fits("b", "[abc]"));
   EXPECT_TRUE(fits("b", "[a-c]"));
   EXPECT_FALSE(fits("d", "[a-c]"));
@@ -75,7 +75,7 @@ protected:
 
 using Names = std::vector<std::string>;
 
-TEST_F(Folder, HasNamesThatFit) {
+TEST_F(Folder, has_names_that_fit) {
   EXPECT_EQ(found("*.off"), (Names{"a.off", "b.off"}));
   EXPECT_EQ(found(".*.off"), Names{".c.off"});
   EXPECT_EQ(found("one/[b-z]*"), (Names{"one/b.off", "one/d.ply"}));
@@ -88,7 +88,7 @@ TEST_F(Folder, HasNamesThatFit) {
   EXPECT_EQ(found("a.off/*"), Names{});
 }
 
-TEST_F(Folder, HasAFileOnce) {
+TEST_F(Folder, has_a_file_once) {
   EXPECT_EQ(htloops::open(folder_ + "/a.off", "wbx"), nullptr);
   std::FILE* const file = htloops::open(folder_ + "/a.off", "rb");
   ASSERT_NE(file, nullptr);

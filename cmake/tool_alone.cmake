@@ -1,0 +1,15 @@
+# What the cache of a build of the tool alone begins with (cmake -C), as it is made for other machines. HTL_PREFIX, if
+# it is given before, is what scripts/make_cross_prefix.sh has made.
+foreach(part IN ITEMS CUDA PYTHON BUILD_TESTS BUILD_EXAMPLES BUILD_BENCHMARKS INSTALL)
+  set(HTL_${part} OFF CACHE BOOL "")
+endforeach()
+set(CMAKE_BUILD_TYPE Release CACHE STRING "")
+if(HTL_PREFIX)
+  set(CMAKE_FIND_ROOT_PATH "${HTL_PREFIX}" CACHE STRING "")
+  set(CMAKE_PREFIX_PATH "${HTL_PREFIX}" CACHE STRING "")
+  set(CGAL_DIR "${HTL_PREFIX}/share/cmake/CGAL" CACHE PATH "")
+  set(CGAL_DISABLE_GMP ON CACHE BOOL "")
+  set(Boost_NO_BOOST_CMAKE ON CACHE BOOL "")
+  set(Boost_INCLUDE_DIR "${HTL_PREFIX}/include" CACHE PATH "")
+  set(HTL_STB "${HTL_PREFIX}/include" CACHE PATH "")
+endif()
