@@ -19,7 +19,7 @@ python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-networkx p
 tests=("${tool[@]}" "${python[@]}" libgtest-dev assimp-utils)
 checks=("${tests[@]}" clang-format)
 all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshio python3-matplotlib
-  python3-pil python3-distributed)
+  python3-pil python3-distributed clang libc++-dev libc++abi-dev)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
 web=(cmake ninja-build emscripten esbuild dpkg-dev libcgal-dev libeigen3-dev libcli11-dev nlohmann-json3-dev
   libtinygltf-dev libstb-dev fonts-dejavu-core python3-fonttools zopfli)

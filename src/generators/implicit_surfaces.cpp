@@ -298,7 +298,8 @@ public:
   Waves_in_box(double frequency, Random& random)
       : level_(random.uniform(-0.7, 0.7)) {
     for(Wave& wave : waves_) {
-      wave.direction = CGAL_PI * frequency * random.uniform(0.5, 1.) * random_direction(random);
+      const Vector direction = random_direction(random);
+      wave.direction = CGAL_PI * frequency * random.uniform(0.5, 1.) * direction;
       wave.phase = random.uniform(0., 2. * CGAL_PI);
       steepest_ += length(wave.direction);
     }

@@ -157,7 +157,7 @@ TEST(Voronoi_graph, HasBallsThatHoldNoPoint) {
         for(double& x : p)
           x = std::round(4. * x) / 4.;
     impl::Voronoi_graph graph({0., 0., 0.}, {1., 1., 1.});
-    graph.insert(points, 0);
+    graph.insert(impl::Execution(), points, 0);
     graph.build(impl::Execution());
     const auto distance = [&](const impl::Vector& p) {
       double least = std::numeric_limits<double>::infinity();

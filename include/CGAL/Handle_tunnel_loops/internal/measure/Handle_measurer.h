@@ -96,7 +96,7 @@ public:
     std::size_t inserted = 0;
     std::size_t work = 0; // points of all rounds
     do {
-      graph.insert(points_.points(), std::exchange(inserted, points_.points().size()));
+      graph.insert(execution_, points_.points(), std::exchange(inserted, points_.points().size()));
       graph.build(execution_);
       find_cycles(graph);
       refine(graph, inserted);

@@ -106,8 +106,8 @@ private:
       const Vector inwards = unit(cross(wall_.normal(f), b - a));
       sides[k] = {(std::max)(0., dot(p - a, inwards)), inwards};
     }
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.distance < b.distance; });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.distance < b.distance; });
     return {sides[0], sides[1]};
   }
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/insertion_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -72,24 +73,19 @@ public:
   Voronoi_graph(const Vector& box_low, const Vector& box_high) {
     const Vector middle = 0.5 * (box_low + box_high);
     const double size = norm(box_high - box_low);
-    std::vector<Point> points;
     for(int i = 0; i < 27; ++i) {
       const Vector direction = {i % 3 - 1., i / 3 % 3 - 1., i / 9 - 1.};
-      if(i != 13) {
-        const Vector p = middle + (distance_of_frame * size / norm(direction)) * direction;
-        points.emplace_back(p[0], p[1], p[2]);
-      }
+      if(i != 13)
+        delaunay_.insert(point(middle + (distance_of_frame * size / norm(direction)) * direction));
     }
-    delaunay_.insert(points.begin(), points.end());
   }
 
   /// adds points from a number on.
-  void insert(const std::vector<Vector>& points, std::size_t first) {
-    std::vector<Point> added;
-    added.reserve(points.size() - first);
-    for(std::size_t i = first; i < points.size(); ++i)
-      added.emplace_back(points[i][0], points[i][1], points[i][2]);
-    delaunay_.insert(added.begin(), added.end());
+  void insert(Execution execution, const std::vector<Vector>& points, std::size_t first) {
+    const Span<const Vector> added(points.data() + first, points.size() - first);
+    Vertex_handle last;
+    for(const Index i : insertion_order(execution, added))
+      last = delaunay_.insert(point(added[i]), last);
   }
 
   /// finds nodes and edges anew.
@@ -121,7 +117,7 @@ public:
   /// how far the nearest of the points is from a place. It is looked for from where the last one
   /// was found, and is then where to start the next time.
   double distance(const Vector& p, Vertex_handle& nearest) const {
-    const Point q(p[0], p[1], p[2]);
+    const Point q = point(p);
     nearest = nearest == Vertex_handle() ? delaunay_.nearest_vertex(q)
                                          : delaunay_.nearest_vertex(q, nearest->cell());
     return norm(place(nearest) - p);
@@ -142,6 +138,8 @@ public:
 
 private:
   static constexpr double distance_of_frame = 8.; // in diagonals
+
+  static Point point(const Vector& p) { return {p[0], p[1], p[2]}; }
 
   static Vector place(Vertex_handle v) { return {v->point().x(), v->point().y(), v->point().z()}; }
 

@@ -71,8 +71,8 @@ public:
       contour_arcs[i] = {i, arc_at(at.slot_of_lower_component(i)), {}};
       walked_[i].clear();
     }
-    std::sort(by_arc_.begin(), by_arc_.end(),
-              [&](Index i, Index j) { return contour_arcs[i].arc < contour_arcs[j].arc; });
+    std::stable_sort(by_arc_.begin(), by_arc_.end(),
+                     [&](Index i, Index j) { return contour_arcs[i].arc < contour_arcs[j].arc; });
     groups_.clear();
     for(auto first = by_arc_.begin(); first != by_arc_.end();) {
       auto last = first;

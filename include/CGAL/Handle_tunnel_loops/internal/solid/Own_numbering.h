@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,7 @@ public:
     order_ = space_filling_order(execution, n, place);
     const auto along_line = [&](Index v) {
       const Vector& p = points[v];
-      return p[0] + 0.6171 * p[1] + 0.3731 * p[2];
+      return std::make_tuple(p[0] + 0.6171 * p[1] + 0.3731 * p[2], p, v);
     };
     const auto cell = [&](Index i) { return cell_of_curve(place(order_[i])); };
     for(Index begin = 0, end = 0; begin < n; begin = end) {

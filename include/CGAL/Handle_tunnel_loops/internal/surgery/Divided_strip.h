@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -99,7 +100,7 @@ private:
       sides_.push_back({Surgery_mesh::face(g), g % 3 + (1. - c.ratio), i, false});
     }
     std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
-      return std::make_pair(a.face, a.place) < std::make_pair(b.face, b.place);
+      return std::tie(a.face, a.place, a.crossing) < std::tie(b.face, b.place, b.crossing);
     });
   }
 

@@ -133,7 +133,7 @@ private:
         if(centers.high[d] - centers.low[d] > centers.high[axis] - centers.low[axis])
           axis = d;
       std::nth_element(begin, begin + (end - begin) / 2, end, [axis](const auto& s, const auto& t) {
-        return center(s)[axis] < center(t)[axis];
+        return std::make_pair(center(s)[axis], s.id()) < std::make_pair(center(t)[axis], t.id());
       });
     }
 
