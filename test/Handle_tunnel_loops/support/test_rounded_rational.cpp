@@ -47,4 +47,24 @@ TEST(Rounded_rational, IsTheNearest) {
   EXPECT_EQ(quotient(one + 3 * half_place - 1, one), 1. + 0x1p-52);
 }
 
+TEST(Rounded_rational, IsTheNearestWhateverRationalNumbersAreMadeOf) {
+  using CGAL::Exact_rational;
+  const auto rounded = [](const Exact_rational& number) {
+    return CGAL::Handle_tunnel_loops::internal::rounded(number);
+  };
+  std::mt19937_64 random(5);
+  const auto some = [&random] {
+    return std::ldexp(double(random() >> 11) - 0x1p52, int(random() % 200) - 100);
+  };
+  for(int i = 0; i < 1000; ++i) {
+    const double a = some(), b = some();
+    ASSERT_NE(b, 0.);
+    EXPECT_EQ(rounded(Exact_rational(a) / Exact_rational(b)), a / b) << a << ' ' << b;
+    EXPECT_EQ(rounded(Exact_rational(a) + Exact_rational(b)), a + b) << a << ' ' << b;
+  }
+  EXPECT_EQ(rounded(Exact_rational(1.) + Exact_rational(0x1p-53)), 1.); // to even
+  EXPECT_EQ(rounded(Exact_rational(-1.) - Exact_rational(0x3p-53)), -1. - 0x2p-52);
+  EXPECT_EQ(rounded(Exact_rational(0.)), 0.);
+}
+
 } // namespace test_rounded_rational

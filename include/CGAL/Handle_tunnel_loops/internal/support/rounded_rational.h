@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -41,18 +42,32 @@ template <typename Integer> double rounded_quotient(Integer numerator, Integer d
   return is_negative ? -value : value;
 }
 
-/// a rational number rounded to the nearest one, with GMP or without.
-inline double rounded(const Exact_rational& number) {
 #ifdef CGAL_USE_GMP
-  return CGAL::to_double(number);
+/// a rational number rounded to the nearest one; of two that are as near, to the even one.
+inline double rounded(const Exact_rational& number) {
+  const double nearer_to_zero = CGAL::to_double(number); // GMP leaves digits off
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double farther = std::nextafter(nearer_to_zero, number < 0 ? -infinity : infinity);
+  if(!std::isfinite(farther))
+    return nearer_to_zero;
+  const Exact_rational middle = (Exact_rational(nearer_to_zero) + Exact_rational(farther)) / 2;
+  if(number == middle) {
+    int exponent;
+    return std::fmod(std::ldexp(std::frexp(farther, &exponent), 53), 2.) == 0. ? farther
+                                                                               : nearer_to_zero;
+  }
+  return (number < middle) == (number < 0) ? farther : nearer_to_zero;
+}
 #else
+/// the same without GMP.
+inline double rounded(const Exact_rational& number) {
   using Traits = Fraction_traits<Exact_rational>;
   typename Traits::Numerator_type numerator;
   typename Traits::Denominator_type denominator;
   typename Traits::Decompose()(number, numerator, denominator);
   return rounded_quotient(numerator, denominator);
-#endif
 }
+#endif
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
