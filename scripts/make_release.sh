@@ -91,7 +91,7 @@ step static by_script make_static.sh "htloops=htloops-$version-linux-$(uname -m)
 step pip make_wheel
 step debian make_debian_packages
 step windows by_script make_windows.sh "htloops.exe=htloops-$version-windows-x86_64.exe"
-step web by_script make_web.sh "index.html=htloops-$version.html"
+step web by_script make_web.sh "index.html=htloops-$version.html" "threads.html=htloops-$version-threads.html"
 
 cp packaging/NOTICES LICENSE "$release"
 (cd "$release" && find . -maxdepth 1 -type f -printf '%P\n' | grep -v '^SHA256SUMS$' | sort | xargs sha256sum >SHA256SUMS)

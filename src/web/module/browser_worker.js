@@ -1,5 +1,5 @@
 import create from './htloops.js';
 import { serve } from './worker.js';
 
-serve(create, (message, moved) => self.postMessage(message, moved),
+serve({ create }, (message, moved) => self.postMessage(message, moved),
       listener => self.addEventListener('message', event => listener(event.data)));

@@ -4,8 +4,9 @@
 import * as node from 'node:fs';
 import { isatty } from 'node:tty';
 
-import create from './htloops.js';
+import create from './htloops_threads.js';
 import { hostFiles } from './host_files.js';
+import { threads } from './node_threads.js';
 import { runTool } from './tool.js';
 
 const isWindows = process.platform === 'win32';
@@ -74,9 +75,9 @@ const streams = {
   },
 };
 
-const code = await WebAssembly.compile(node.readFileSync(new URL('./htloops.wasm', import.meta.url)));
+const code = await WebAssembly.compile(node.readFileSync(new URL('./htloops_threads.wasm', import.meta.url)));
 const { exitCode } = await runTool({
-  create, code, streams, prepare: mountAll,
+  create, code, threads, streams, prepare: mountAll,
   args: process.argv.slice(2).map(nameOf),
   environment: { ...process.env },
 });

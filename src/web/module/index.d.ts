@@ -21,6 +21,11 @@ export interface Running {
   onProgress?: (part: number, what: string) => void;
 }
 
+export interface Computing extends Running {
+  /** At most so many threads, where there are some; all processors without it. */
+  threads?: number;
+}
+
 /** What makes a mesh acceptable that is not. */
 export interface Remedies {
   triangulate?: boolean;
@@ -88,9 +93,11 @@ export interface Loops {
   boundaries: object[];
   throats?: object[];
   timings: Record<string, number>;
+  /** How many there were to compute with. */
+  threads: number;
 }
 
-export interface LoopsOptions extends Running, Remedies {
+export interface LoopsOptions extends Computing, Remedies {
   basis?: 'pure' | 'shortest';
   seed?: number;
   waists?: boolean;
@@ -119,7 +126,7 @@ export interface ReebGraph {
   vertex_arc: number[];
 }
 
-export interface ReebOptions extends Running, Remedies {
+export interface ReebOptions extends Computing, Remedies {
   /** The height in this direction instead of a diffusion. */
   height?: Point;
   /** Vertices to diffuse from. */
@@ -141,7 +148,7 @@ export interface Skeleton {
 }
 
 /** A curve skeleton that is proved to lie inside. */
-export function skeleton(mesh: MeshLike, options?: Running & Remedies & { shortestLimb?: number }): Promise<Skeleton>;
+export function skeleton(mesh: MeshLike, options?: Computing & Remedies & { shortestLimb?: number }): Promise<Skeleton>;
 
 export interface Changed {
   mesh: Mesh;
@@ -149,7 +156,7 @@ export interface Changed {
 }
 
 /** Lengths are numbers, or percentages of the diagonal of the box, such as '3%'. One of these is needed. */
-export interface RemoveOptions extends Running, Remedies {
+export interface RemoveOptions extends Computing, Remedies {
   all?: boolean;
   genus?: number;
   shorterThan?: number | string;
@@ -168,7 +175,7 @@ export interface RemoveOptions extends Running, Remedies {
 
 export function removeHandles(mesh: MeshLike, options: RemoveOptions): Promise<Changed>;
 
-export interface CleanOptions extends Running {
+export interface CleanOptions extends Computing {
   skip?: string[];
   weld?: number | string;
   channels?: number | string;
@@ -181,7 +188,7 @@ export interface CleanOptions extends Running {
 export function clean(mesh: MeshLike, options?: CleanOptions): Promise<Changed>;
 
 /** The mesh cut open to disks, along short arcs of its edges. */
-export function cut(mesh: MeshLike, options?: Running & Remedies & { through?: number[]; cutSpheres?: boolean }): Promise<{ mesh: Mesh }>;
+export function cut(mesh: MeshLike, options?: Computing & Remedies & { through?: number[]; cutSpheres?: boolean }): Promise<{ mesh: Mesh }>;
 
 /** A mesh of a known genus: 'torus', 'multi-torus', 'gyroid', 'lattice', ... */
 export function generate(kind: string, options?: { faces?: number; genus?: number; seed?: number; [option: string]: unknown }): Promise<Mesh>;

@@ -6,7 +6,7 @@ import { Worker } from 'node:worker_threads';
 import { makeAnswers } from './answers.js';
 import { makeClient, HtloopsError } from './client.js';
 
-const load = async () => WebAssembly.compile(await readFile(new URL('./htloops.wasm', import.meta.url)));
+const load = async () => WebAssembly.compile(await readFile(new URL('./htloops_threads.wasm', import.meta.url)));
 
 function startWorker() {
   const worker = new Worker(new URL('./node_worker.js', import.meta.url));

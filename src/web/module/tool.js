@@ -1,10 +1,6 @@
 // One run of htloops: an instance of the module of its own. What a run leaves behind, and a memory that was too
 // small, are gone with it. Compiled code is shared by all runs.
 
-// The module asks where the script of its worker is, and does not need it.
-globalThis.self ??= globalThis;
-self.location ??= { href: '' };
-
 // Standard input, output and error of a run, in place of those of the module, which take letters one by one.
 // `read(bytes)` fills an array and says how much of it, `write(stream, bytes)` takes one; `terminals` are the
 // streams that are shown to a person.
@@ -31,9 +27,14 @@ function openStreams(fs, { read, write, terminals }) {
 
 // How the run ended: its exit code, and its files.
 // `create` makes an instance (it is what emscripten wrote), `code` is a WebAssembly.Module;
-// `prepare(fs)` puts files where the run finds them.
-export async function runTool({ create, code, args, streams, prepare, environment }) {
+// `prepare(fs)` puts files where the run finds them; `threads` are `{Worker, processors}`, of a module that has some:
+// what makes a worker that is one, and how many are of use.
+export async function runTool({ create, code, threads, args, streams, prepare, environment }) {
+  let end;
+  const exitCode = new Promise(resolve => { end = resolve; });
   const instance = await create({
+    ...threads,
+    onExit: end,
     instantiateWasm(imports, receive) {
       WebAssembly.instantiate(code, imports).then(made => receive(made, code));
       return {};
@@ -45,5 +46,6 @@ export async function runTool({ create, code, args, streams, prepare, environmen
   });
   openStreams(instance.FS, streams);
   prepare(instance.FS);
-  return { exitCode: instance.callMain(args), fs: instance.FS };
+  instance.callMain(args); // which with threads returns at once
+  return { exitCode: await exitCode, fs: instance.FS };
 }

@@ -48,7 +48,7 @@ function outputsOf(fs, names) {
   return files;
 }
 
-async function answer(create, { code, args, files = {}, outputs = [], input = new Uint8Array() }, say) {
+async function answer(tool, { code, args, files = {}, outputs = [], input = new Uint8Array() }, say) {
   const messages = new Messages(say), output = [];
   let at = 0;
   const streams = {
@@ -62,7 +62,7 @@ async function answer(create, { code, args, files = {}, outputs = [], input = ne
     write: (stream, bytes) => stream === 2 ? messages.add(bytes) : output.push(bytes),
   };
   const { exitCode, fs } = await runTool({
-    create, code, args, streams, environment: { NO_COLOR: '1' },
+    ...tool, code, args, streams, environment: { NO_COLOR: '1' },
     prepare(system) {
       system.mkdir(folder);
       system.chdir(folder);
@@ -75,11 +75,12 @@ async function answer(create, { code, args, files = {}, outputs = [], input = ne
   return { exitCode, files: outputsOf(fs, outputs), output: joined(output), messages: messages.text };
 }
 
-// `post(message, transferred)` and `onMessage` are those of the worker, in a browser or in node.
-export function serve(create, post, onMessage) {
+// `tool` is what makes an instance, with its threads if it has some (see tool.js); `post(message, transferred)` and
+// `onMessage` are those of the worker, in a browser or in node.
+export function serve(tool, post, onMessage) {
   onMessage(async task => {
     try {
-      const result = await answer(create, task, message => post(message, []));
+      const result = await answer(tool, task, message => post(message, []));
       post(result, [...Object.values(result.files), result.output].map(bytes => bytes.buffer));
     } catch (error) {
       post({ failure: `${error.name}: ${error.message}` }, []);

@@ -314,4 +314,8 @@ class App {
   }
 }
 
-window.app = new App();
+// Threads share memory, which a page may only where no other can look into it: so its server has to say.
+if (HAS_THREADS && !crossOriginIsolated)
+  document.body.className = 'refused';
+else
+  window.app = new App();
