@@ -36,7 +36,7 @@ test('it computes in as many threads as there are processors, and finds what the
   opened(isolated, async page => {
     await page.waitForSelector('body.ready');
     const processors = await page.evaluate(() => navigator.hardwareConcurrency);
-    for (const mesh of makeMeshes().slice(0, 6)) {
+    for (const mesh of makeMeshes(6)) {
       await doing(page, async () => (await page.$('#file')).uploadFile(join(folder, mesh)));
       const json = await page.evaluate(() => new TextDecoder().decode(window.app.results['loops.json']));
       assert.equal(JSON.parse(json).threads, processors);
