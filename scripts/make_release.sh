@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes all that is given away of a release, in one folder, with checksums: the archive of the sources, the wheel and the archive
-# for pip, the packages of Debian, the static executable, that for Windows, the page and the package for npm,
-# and the recipes with the checksums of the archive. Takes half an hour on two processors. Names what cannot be made, and then
-# fails, with all the rest in the folder.
+# Makes all that is given away of a release, in one folder, with checksums: the archive of the sources, the wheel
+# and the archive for pip, the packages of Debian, the static executable, that for Windows, the page and the package
+# for npm, and the recipes with the checksums of the archive. Takes half an hour on two processors. Names what
+# cannot be made, and then fails, with all the rest in the folder.
 #
 #   scripts/make_release.sh [FOLDER]
 #
@@ -60,6 +60,12 @@ make_source_archive() {
 
 make_wheel() { scripts/make_wheel.sh /usr/bin/python3 "$release"; }
 
+# The wheel and the static executable have most objects in common: these are compiled once.
+in_common() {
+  mkdir -p "$work/tmp"
+  TMPDIR=$work/tmp CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR=$work/ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 "$@"
+}
+
 make_debian_packages() {
   scripts/make_debian_packages.sh "$work/debian" && cp "$work"/debian/*.deb "$release"
 }
@@ -87,8 +93,8 @@ scripts/install_dependencies.sh packages
 
 step sources make_source_archive
 step recipes make_recipes
-step static by_script make_static.sh "htloops=htloops-$version-linux-$(uname -m)"
-step pip make_wheel
+step static in_common by_script make_static.sh "htloops=htloops-$version-linux-$(uname -m)"
+step pip in_common make_wheel
 step debian make_debian_packages
 step windows by_script make_windows.sh "htloops.exe=htloops-$version-windows-x86_64.exe"
 step web by_script make_web.sh "index.html=htloops-$version.html" "threads.html=htloops-$version-threads.html"

@@ -124,6 +124,8 @@ std::vector<std::thread> started_threads(std::size_t number, const std::function
 // A mesh at a time in each of some threads, which share what threads there are besides.
 void solve_all(Loops_options options, Line_printer& printer) {
   const std::size_t count = options.mesh_files.size();
+  if(count == 0)
+    return;
   const auto jobs = static_cast<int>((std::min)(std::size_t(options.number_of_jobs), count));
   if(jobs > 1)
     options.number_of_threads =
