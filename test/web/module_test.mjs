@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, lstatSync, mkdirSync, openSync, readFileSync, readdirSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 
@@ -86,6 +86,38 @@ test('pipes, folders and exit codes are as they are natively', () => {
     writeFileSync(join(folder, 'many', name), bytesOf(name));
   assert.equal(command('measure', 'many', '--csv', 'many.csv', '-q', '--jobs', '2').status, 0);
   assert.equal(bytesOf('many.csv').toString().trim().split('\n').length, 1 + 1 + 12);
+});
+
+test('links are written through, and stay', () => {
+  writeFileSync(join(folder, 'target.json'), '');
+  for (const [target, link] of [['target.json', 'there.json'], ['made.json', 'nowhere.json'], ['round.json', 'round.json']])
+    symlinkSync(target, join(folder, link));
+  for (const [link, target] of [['there.json', 'target.json'], ['nowhere.json', 'made.json']]) {
+    assert.equal(command('loops', 'torus.off', '-qo', link).status, 0);
+    assert.ok(lstatSync(join(folder, link)).isSymbolicLink(), link);
+    assert.ok(bytesOf(target).length > 1000, target);
+  }
+  const ours = command('loops', 'torus.off', '-qo', 'round.json'), theirs = nativeRun('loops', 'torus.off', '-qo', 'round.json');
+  assert.deepEqual([ours.status, ours.stderr.toString()], [theirs.exitCode, theirs.messages]);
+});
+
+test('what cannot be kept is said', { skip: !existsSync('/dev/full') }, () => {
+  for (const file of ['/dev/full', '/dev/nothing.json']) {
+    const { status, stderr } = command('loops', 'torus.off', '-qo', file);
+    assert.equal(status, 2, file);
+    assert.ok(stderr.toString().includes(`cannot write ${file}`));
+  }
+  const options = { cwd: folder, stdio: ['ignore', openSync('/dev/full', 'w'), 'pipe'] };
+  const { status, stderr } = spawnSync(join(home, 'node_modules/.bin/htloops'), ['loops', 'torus.off'], options);
+  assert.equal(status, 2);
+  assert.match(stderr.toString(), /^htloops: cannot write the standard output: No space left on device\n$/);
+});
+
+test('a folder that is gone is no reason to break off', { skip: process.platform === 'win32' }, () => {
+  const { status, stdout } = spawnSync('sh', ['-c', 'mkdir gone && cd gone && rmdir ../gone && exec "$0" --version',
+                                              join(home, 'node_modules/.bin/htloops')], { cwd: folder });
+  assert.equal(status, 0);
+  assert.ok(stdout.toString().includes('htloops'));
 });
 
 test('the lines of the README', () => {

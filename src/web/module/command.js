@@ -5,7 +5,7 @@ import * as node from 'node:fs';
 import { isatty } from 'node:tty';
 
 import create from './htloops_threads.js';
-import { hostFiles } from './host_files.js';
+import { attemptIn, hostFiles } from './host_files.js';
 import { threads } from './node_threads.js';
 import { runTool } from './tool.js';
 
@@ -27,9 +27,15 @@ function folders() {
     .map(name => [`/${name}`, `/${name}`]);
 }
 
+// Memory that is a folder, and that the module has as a folder of its own.
+const shared = () => node.existsSync('/dev/shm') ? [['/dev/shm', '/dev/shm']] : [];
+
+let attempt; // in the module that runs
+
 function mountAll(fs) {
-  const host = hostFiles(fs, node);
-  for (const [place, root] of isWindows ? drives() : folders()) {
+  attempt = attemptIn(fs);
+  const host = hostFiles(fs, node, nameOf);
+  for (const [place, root] of isWindows ? drives() : [...folders(), ...shared()]) {
     if (!fs.analyzePath(place).exists)
       fs.mkdir(place);
     try {
@@ -37,7 +43,13 @@ function mountAll(fs) {
     } catch { // a folder that nobody may read is not there
     }
   }
-  fs.chdir(nameOf(process.cwd()));
+  // What was written here would be in the memory of the module, and lost.
+  for (const place of ['/', '/dev'])
+    fs.chmod(place, 0o555);
+  try {
+    fs.chdir(nameOf(process.cwd()));
+  } catch { // a folder that is gone has no files, and neither has the root
+  }
 }
 
 // Whoever reads or writes slowly is waited for.
@@ -68,9 +80,9 @@ const streams = {
       for (let at = 0; at < bytes.length;)
         at += patiently(() => node.writeSync(stream, bytes, at));
     } catch (error) {
-      if (error.code !== 'EPIPE')
-        throw error;
-      process.exit(141); // who read has enough
+      if (error.code === 'EPIPE')
+        process.exit(141); // who read has enough
+      attempt(() => { throw error; });
     }
   },
 };

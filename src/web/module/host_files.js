@@ -7,16 +7,20 @@ const numbers = {
   EMFILE: 33, ENOSPC: 51, EROFS: 69, ENOTEMPTY: 55, ENAMETOOLONG: 37, EXDEV: 75, ELOOP: 32,
 };
 
-export function hostFiles(FS, node) {
-  const attempt = action => {
-    try {
-      return action();
-    } catch (error) {
-      if (!error.code)
-        throw error;
-      throw new FS.ErrnoError(numbers[error.code] ?? 29);
-    }
-  };
+// Does something with files of the machine; what fails is an error of the module.
+export const attemptIn = FS => action => {
+  try {
+    return action();
+  } catch (error) {
+    if (!error.code)
+      throw error;
+    throw new FS.ErrnoError(numbers[error.code] ?? 29);
+  }
+};
+
+// `nameOf` makes the name that the module has for a file of one of the machine.
+export function hostFiles(FS, node, nameOf) {
+  const attempt = attemptIn(FS);
 
   // Where a file of the module is on the machine.
   function pathOf(entry) {
@@ -34,7 +38,8 @@ export function hostFiles(FS, node) {
   }
 
   const ofEntries = {
-    getattr: entry => attempt(() => node.statSync(pathOf(entry))),
+    getattr: entry => attempt(() => node[FS.isRoot(entry) ? 'statSync' : 'lstatSync'](pathOf(entry))),
+    readlink: entry => attempt(() => nameOf(node.readlinkSync(pathOf(entry)))),
     setattr(entry, { mode, size, timestamp }) {
       attempt(() => {
         if (mode !== undefined) {
@@ -48,7 +53,7 @@ export function hostFiles(FS, node) {
       });
     },
     lookup: (parent, name) =>
-      entryAt(parent, name, attempt(() => node.statSync(`${pathOf(parent)}/${name}`)).mode),
+      entryAt(parent, name, attempt(() => node.lstatSync(`${pathOf(parent)}/${name}`)).mode),
     mknod(parent, name, mode) {
       const entry = entryAt(parent, name, mode), path = pathOf(entry);
       attempt(() => FS.isDir(mode) ? node.mkdirSync(path, mode & 0o7777)
