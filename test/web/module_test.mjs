@@ -192,6 +192,27 @@ test('errors are those of the tool, and a signal ends a run', async () => {
   assert.ok(performance.now() - began < 1500);
 });
 
+test('a signal ends the making of a mesh, too', async () => {
+  await assert.rejects(htl.generate('gyroid', { faces: 3000000, signal: AbortSignal.timeout(300) }), { name: 'TimeoutError' });
+});
+
+test('code that could not be loaded once is loaded by the next call', async () => {
+  const { makeClient } = await import(join(home, 'node_modules/handle-tunnel-loops/client.js'));
+  let loads = 0, listener;
+  const load = async () => {
+    if (++loads === 1)
+      throw new Error('no code');
+    return 'code';
+  };
+  const startWorker = () => ({
+    post: ({ code }) => listener({ exitCode: 0, code }), terminate() {}, onError() {},
+    onMessage(listening) { listener = listening; },
+  });
+  const { run } = makeClient(load, startWorker);
+  await assert.rejects(run([]), /no code/);
+  assert.equal((await run([])).code, 'code');
+});
+
 test('no memory is said, and the next call is answered', async () => {
   const { exitCode, messages } = await htl.run(['generate', 'torus', '--faces', '600000000', '-o', 'x.off', '-q']);
   assert.notEqual(exitCode, 0);

@@ -61,9 +61,10 @@ export function makeAnswers({ run, outputsOf }) {
   const cut = async (mesh, options = {}) =>
     ({ mesh: meshOfOff((await ask('cut', mesh, { '-o': 'open.off' }, options))['open.off']) });
 
-  async function generate(kind, options = {}) {
+  async function generate(kind, { signal, ...options } = {}) {
     const files = await outputsOf(
-      ['generate', kind, '-o', 'mesh.off', ...argumentsOf({ ...options, quiet: true })], { outputs: ['mesh.off'] });
+      ['generate', kind, '-o', 'mesh.off', ...argumentsOf({ ...options, quiet: true })],
+      { outputs: ['mesh.off'], signal });
     return meshOfOff(files['mesh.off']);
   }
 

@@ -43,7 +43,10 @@ export function makeClient(load, startWorker) {
           finish(resolve, message);
       });
       worker.onError(error => finish(reject, new HtloopsError(error.message, null)));
-      code ??= load();
+      code ??= load().catch(error => {
+        code = null; // the next call tries again
+        throw error;
+      });
       code.then(module => worker.post({ code: module, args, files, outputs, input }),
                 error => finish(reject, error));
     });

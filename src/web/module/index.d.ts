@@ -191,7 +191,7 @@ export function clean(mesh: MeshLike, options?: CleanOptions): Promise<Changed>;
 export function cut(mesh: MeshLike, options?: Computing & Remedies & { through?: number[]; cutSpheres?: boolean }): Promise<{ mesh: Mesh }>;
 
 /** A mesh of a known genus: 'torus', 'multi-torus', 'gyroid', 'lattice', ... */
-export function generate(kind: string, options?: { faces?: number; genus?: number; seed?: number; [option: string]: unknown }): Promise<Mesh>;
+export function generate(kind: string, options?: { faces?: number; genus?: number; seed?: number; signal?: AbortSignal; [option: string]: unknown }): Promise<Mesh>;
 
 export interface RunOptions extends Running {
   /** Files that the run finds, by name. Their arrays stay yours. */
