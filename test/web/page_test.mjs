@@ -104,6 +104,41 @@ test('chosen handles are removed, and the new mesh goes on', async () => {
   assert.match(await message(), /genus 9/);
 });
 
+test('files have the names that a person would give them', async () => {
+  await open('torus.off');
+  const frame = await isShown();
+  const { title, choice } = await frame.evaluate(() => ({ title: document.title, choice: window.htloops.scene.choice }));
+  assert.match(title, /torus\.off$/);
+  assert.equal(choice, '--loops torus-loops.json --pairs');
+  await drop('-two words.off', native('generate', 'torus', '--faces', '500', '-o', '-', '-q').toString());
+  assert.equal(await (await isShown()).evaluate(() => window.htloops.scene.choice), '--loops two_words-loops.json --pairs');
+  await press('#remove-genus');
+  await doing(() => page.select('#save', 'go on'));
+  assert.equal(await page.$eval('#name', node => node.textContent), 'two_words-mesh.stl');
+});
+
+test('narrow screens and dark ones', async () => {
+  await open('torus.off');
+  for (const width of [320, 390, 768]) {
+    await page.setViewport({ width, height: 640 });
+    const { wide, high, finger } = await page.evaluate(() => ({
+      wide: document.documentElement.scrollWidth, high: document.querySelector('main').clientHeight,
+      finger: Math.min(...[...document.querySelectorAll('header button')].map(node => node.clientHeight)),
+    }));
+    assert.ok(wide <= width, `${wide} of ${width} pixels`);
+    assert.ok(high > 0.45 * 640, `${high} pixels for the result, of ${width} across`);
+    assert.ok(finger >= 32, `${finger} pixels for a thumb`);
+  }
+  await page.setViewport({ width: 1300, height: 850 });
+  if (process.env.BROWSER === 'chromium') { // the driver of the other has no such wish
+    const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: 'dark' }]);
+    assert.equal(await paper(), 'rgb(23, 25, 29)');
+    await page.emulateMediaFeatures([]);
+    assert.equal(await paper(), 'rgb(255, 255, 255)');
+  }
+});
+
 test('all samples are there', async () => {
   const samples = await page.$$eval('#sample option', nodes => nodes.map(({ value }) => value).filter(value => value));
   assert.equal(samples.length, 6);

@@ -31,6 +31,9 @@ const meshEnding = /\.(off|obj|ply|stl|glb|gltf|3mf|vtp|vtu|msh2?|gii|surf|pial|
 // A name that is one name, and no option, whatever it was called.
 const safeName = name => name.replace(/[/\\\0]/g, '_').slice(-200).replace(/^-/, './-');
 
+// What results are called by: letters that need no quotes, and no option.
+const stemOf = name => name.replace(meshEnding, '').replace(/[^\w.-]+/g, '_').slice(-100).replace(/^[-.]+/, '') || 'mesh';
+
 const bytesOf = async file => new Uint8Array(await file.arrayBuffer());
 
 function download(name, bytes) {
@@ -248,11 +251,11 @@ class App {
 
   // A run that writes files of a task, which come back by their names.
   async runTask(label, task, wanted, settings) {
-    const { mesh, remedies } = this;
-    const result = await this.run(label, commandLine(task, mesh.path, wanted, { settings, remedies }),
-                                  { files: mesh.files, outputs: wanted.map(({ file }) => placeOf(file)) });
+    const { mesh, remedies } = this, stem = stemOf(mesh.name);
+    const result = await this.run(label, commandLine(task, mesh.path, stem, wanted, { settings, remedies }),
+                                  { files: mesh.files, outputs: wanted.map(({ file }) => placeOf(stem, file)) });
     if (result)
-      result.files = Object.fromEntries(wanted.map(({ file }) => [file, result.files[placeOf(file)]]));
+      result.files = Object.fromEntries(wanted.map(({ file }) => [file, result.files[placeOf(stem, file)]]));
     return result;
   }
 
@@ -304,12 +307,13 @@ class App {
       this.results[file] = result.files[file];
       this.say('');
     }
-    download(`${this.mesh.name.replace(meshEnding, '').replace(/[^\w.-]+/g, '_')}-${file}`, this.results[file]);
+    download(placeOf(stemOf(this.mesh.name), file), this.results[file]);
   }
 
   goOn() {
     const [{ file }] = this.task.written, bytes = this.results[file];
-    this.open({ name: `${this.mesh.name}: ${this.task.label}`, path: file, files: { [file]: bytes } });
+    const name = placeOf(stemOf(this.mesh.name), file);
+    this.open({ name, path: name, files: { [name]: bytes } });
     return this.compute(tasks.loops);
   }
 }

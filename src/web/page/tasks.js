@@ -62,13 +62,14 @@ export const samples = [
   ['A knotted tube', ['trefoil', '--faces', '20000']],
 ];
 
-// Where a run writes a file: not where the files of the mesh are, which have whatever names.
-export const placeOf = file => `results/${file}`;
+// What a file is called when it is saved: a run writes it under this name, too, as titles and commands that are
+// copied from its page have it.
+export const placeOf = (stem, file) => `${stem}-${file}`;
 
 // The words of the command line that writes these files. `remedies` are options without which a mesh is refused.
-export function commandLine(task, meshName, files, { settings, remedies }) {
+export function commandLine(task, meshName, stem, files, { settings, remedies }) {
   return [
-    task.command, meshName, ...files.flatMap(({ option, file }) => [option, placeOf(file)].filter(word => word !== '')),
+    task.command, meshName, ...files.flatMap(({ option, file }) => [option, placeOf(stem, file)].filter(word => word !== '')),
     ...(task.fixed ?? []), ...settings, ...(task.takesAll ? [] : remedies),
   ];
 }
