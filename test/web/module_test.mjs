@@ -192,6 +192,17 @@ test('errors are those of the tool, and a signal ends a run', async () => {
   assert.ok(performance.now() - began < 1500);
 });
 
+test('arrays that are none of a mesh are refused', async () => {
+  const mesh = await htl.generate('torus', { faces: 500 });
+  for (const wrong of [-1, 0.5, NaN, 2 ** 32, '0']) {
+    const triangles = Array.from(mesh.triangles);
+    triangles[4] = wrong;
+    await assert.rejects(htl.loops({ ...mesh, triangles }), { name: 'TypeError', message: /^triangles: .*, at 4,/ }, `${wrong}`);
+  }
+  for (const none of [null, {}, { points: 'abc', triangles: 'abc' }, { points: {}, triangles: {} }])
+    await assert.rejects(htl.loops(none), { name: 'TypeError', message: /^points: an array/ });
+});
+
 test('a signal ends the making of a mesh, too', async () => {
   await assert.rejects(htl.generate('gyroid', { faces: 3000000, signal: AbortSignal.timeout(300) }), { name: 'TimeoutError' });
 });

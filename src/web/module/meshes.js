@@ -5,10 +5,19 @@ const headerOf = (points, triangles) => new TextEncoder().encode(
   'property double x\nproperty double y\nproperty double z\n' +
   `element face ${triangles.length / 3}\nproperty list uchar uint vertex_indices\nend_header\n`);
 
-function check({ points, triangles }) {
-  for (const [name, array] of [['points', points], ['triangles', triangles]])
-    if (!array || array.length % 3 !== 0)
+const isNumberOfPoint = value => Number.isInteger(value) && value >= 0 && value < 2 ** 32;
+
+// What the file cannot hold; whether points have those numbers is for the tool to say.
+function check(mesh) {
+  for (const name of ['points', 'triangles']) {
+    const array = mesh?.[name];
+    if (typeof array !== 'object' || !array || !(array.length % 3 === 0))
       throw new TypeError(`${name}: an array of numbers was expected, three for each`);
+  }
+  const { triangles } = mesh;
+  for (let i = 0; i < triangles.length; ++i)
+    if (!isNumberOfPoint(triangles[i]))
+      throw new TypeError(`triangles: ${triangles[i]}, at ${i}, is no number of a point, which count from 0`);
 }
 
 // PLY, binary: three doubles a point, three numbers from 0 a triangle.
