@@ -88,6 +88,17 @@ test('pipes, folders and exit codes are as they are natively', () => {
   assert.equal(bytesOf('many.csv').toString().trim().split('\n').length, 1 + 1 + 12);
 });
 
+test('pipes have names', { skip: process.platform === 'win32' }, () => {
+  const htloops = join(home, 'node_modules/.bin/htloops');
+  const shell = line => execFileSync('bash', ['-ec', line], { cwd: folder, maxBuffer: 1 << 28 });
+  const expected = native('loops', '-q', 'torus.off', '-o', '-');
+  execFileSync('mkfifo', ['in.off', 'out.json'], { cwd: folder });
+  for (const line of [`cat torus.off >in.off & '${htloops}' loops in.off -qo -`,
+                      `'${htloops}' loops <(cat torus.off) --format off -qo -`,
+                      `cat out.json & '${htloops}' loops torus.off -qo out.json; wait`])
+    assert.equal(differenceOfFiles(shell(line), expected), null, line);
+});
+
 test('links are written through, and stay', () => {
   writeFileSync(join(folder, 'target.json'), '');
   for (const [target, link] of [['target.json', 'there.json'], ['made.json', 'nowhere.json'], ['round.json', 'round.json']])
@@ -186,6 +197,7 @@ test('errors are those of the tool, and a signal ends a run', async () => {
   await assert.rejects(htl.loops(open), error => error.exitCode === 4 && error.message.includes('--repair'));
   await assert.rejects(htl.loops({ points: [0, 1], triangles: [] }), TypeError);
   await assert.rejects(htl.loops(open, { noSuchOption: true }), error => error.exitCode === 2);
+  assert.deepEqual((await htl.run(['--version'], { outputs: ['..', '', 'none/x'] })).files, {}, 'folders are no outputs');
   const began = performance.now();
   await assert.rejects(htl.run(['generate', 'gyroid', '--faces', '3000000', '-o', 'x.off'],
                                { signal: AbortSignal.timeout(300) }), { name: 'TimeoutError' });

@@ -27,19 +27,19 @@ function folders() {
     .map(name => [`/${name}`, `/${name}`]);
 }
 
-// Memory that is a folder, and that the module has as a folder of its own.
-const shared = () => node.existsSync('/dev/shm') ? [['/dev/shm', '/dev/shm']] : [];
+// What shells name files in that are none on a disk.
+const devices = () => ['/dev/shm', '/dev/fd'].filter(place => node.existsSync(place)).map(place => [place, place]);
 
 let attempt; // in the module that runs
 
 function mountAll(fs) {
   attempt = attemptIn(fs);
   const host = hostFiles(fs, node, nameOf);
-  for (const [place, root] of isWindows ? drives() : [...folders(), ...shared()]) {
+  for (const [place, root] of isWindows ? drives() : [...folders(), ...devices()]) {
     if (!fs.analyzePath(place).exists)
       fs.mkdir(place);
     try {
-      fs.mount(host, { root }, place);
+      fs.mount(host, { root, areOpenFiles: place === '/dev/fd' }, place);
     } catch { // a folder that nobody may read is not there
     }
   }

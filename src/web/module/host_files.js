@@ -18,7 +18,8 @@ export const attemptIn = FS => action => {
   }
 };
 
-// `nameOf` makes the name that the module has for a file of one of the machine.
+// `nameOf` makes the name that the module has for a file of one of the machine. A folder that is mounted with
+// `areOpenFiles` has the open files of the process: links, but to no names.
 export function hostFiles(FS, node, nameOf) {
   const attempt = attemptIn(FS);
 
@@ -30,6 +31,17 @@ export function hostFiles(FS, node, nameOf) {
     return [entry.mount.opts.root.replace(/\/$/, ''), ...names].join('/') || '/';
   }
 
+  // What is no file, folder or link is a stream of bytes: pipes are devices of the module, which has no others that
+  // can be emptied, as they are before they are written.
+  const modeOf = mode => FS.isFile(mode) || FS.isDir(mode) || FS.isLink(mode) ? mode : mode & 0o7777 | 0o020000;
+
+  // Of a file, or of a link itself.
+  function statOf(path, follows) {
+    const stat = attempt(() => node[follows ? 'statSync' : 'lstatSync'](path));
+    stat.mode = modeOf(stat.mode);
+    return stat;
+  }
+
   function entryAt(parent, name, mode) {
     const entry = FS.createNode(parent, name, mode, 0);
     entry.node_ops = ofEntries;
@@ -38,7 +50,7 @@ export function hostFiles(FS, node, nameOf) {
   }
 
   const ofEntries = {
-    getattr: entry => attempt(() => node[FS.isRoot(entry) ? 'statSync' : 'lstatSync'](pathOf(entry))),
+    getattr: entry => statOf(pathOf(entry), FS.isRoot(entry) || entry.mount.opts.areOpenFiles),
     readlink: entry => attempt(() => nameOf(node.readlinkSync(pathOf(entry)))),
     setattr(entry, { mode, size, timestamp }) {
       attempt(() => {
@@ -53,7 +65,7 @@ export function hostFiles(FS, node, nameOf) {
       });
     },
     lookup: (parent, name) =>
-      entryAt(parent, name, attempt(() => node.lstatSync(`${pathOf(parent)}/${name}`)).mode),
+      entryAt(parent, name, statOf(`${pathOf(parent)}/${name}`, parent.mount.opts.areOpenFiles).mode),
     mknod(parent, name, mode) {
       const entry = entryAt(parent, name, mode), path = pathOf(entry);
       attempt(() => FS.isDir(mode) ? node.mkdirSync(path, mode & 0o7777)
@@ -72,21 +84,26 @@ export function hostFiles(FS, node, nameOf) {
   // The module makes a file, and empties it, before it is opened: what is left of the flags is who may do what,
   // and whether all is written to its end.
   const modes = ['r', 'r+', 'r+'], append = 0o2000;
+  const ways = ['r', 'w', 'r+']; // of a pipe: who writes waits for who reads
+
+  const placeIn = (stream, position) => stream.seekable && !(stream.flags & append) ? position : null;
 
   const ofStreams = {
     open(stream) {
-      if (FS.isFile(stream.node.mode))
-        stream.file = attempt(() => node.openSync(
-          pathOf(stream.node), stream.flags & append ? 'a' : modes[stream.flags & 3]));
+      if (FS.isDir(stream.node.mode))
+        return;
+      stream.seekable = FS.isFile(stream.node.mode);
+      const mode = stream.flags & append ? 'a' : stream.seekable ? modes[stream.flags & 3] : ways[stream.flags & 3];
+      stream.file = attempt(() => node.openSync(pathOf(stream.node), mode));
     },
     close(stream) {
       if (stream.file !== undefined)
         attempt(() => node.closeSync(stream.file));
     },
     read: (stream, heap, offset, length, position) =>
-      length === 0 ? 0 : attempt(() => node.readSync(stream.file, heap, offset, length, position)),
+      length === 0 ? 0 : attempt(() => node.readSync(stream.file, heap, offset, length, stream.seekable ? position : null)),
     write: (stream, heap, offset, length, position) =>
-      attempt(() => node.writeSync(stream.file, heap, offset, length, stream.flags & append ? null : position)),
+      attempt(() => node.writeSync(stream.file, heap, offset, length, placeIn(stream, position))),
     llseek(stream, offset, whence) {
       const from = [0, stream.position, attempt(() => node.fstatSync(stream.file ?? 0)).size][whence];
       if (from + offset < 0)

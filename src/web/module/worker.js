@@ -42,9 +42,11 @@ function joined(parts) {
 
 function outputsOf(fs, names) {
   const files = {};
-  for (const name of names)
-    if (fs.analyzePath(`${folder}/${name}`).exists)
+  for (const name of names) {
+    const { exists, object } = fs.analyzePath(`${folder}/${name}`);
+    if (exists && fs.isFile(object.mode))
       files[name] = fs.readFile(`${folder}/${name}`);
+  }
   return files;
 }
 
