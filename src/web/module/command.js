@@ -48,7 +48,8 @@ function mountAll(fs) {
     fs.chmod(place, 0o555);
   try {
     fs.chdir(nameOf(process.cwd()));
-  } catch { // a folder that is gone has no files, and neither has the root
+  } catch { // a folder that is gone has no files, and neither has the root; threads of node want one that is there
+    process.chdir('/');
   }
 }
 
