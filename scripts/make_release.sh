@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes all that is given away of a release, in one folder, with checksums: the archive of the sources, the wheel
 # and the archive for pip, the packages of Debian, the static executable, that for Windows, the page and the package
-# for npm, and the recipes with the checksums of the archive. Takes half an hour on two processors. Names what
+# for npm, and the recipes with the checksums of the archive. Takes twenty minutes on two processors. Names what
 # cannot be made, and then fails, with all the rest in the folder.
 #
 #   scripts/make_release.sh [FOLDER]
