@@ -17,7 +17,7 @@ tool=(g++ cmake ninja-build libcgal-dev libtbb-dev libcli11-dev nlohmann-json3-d
   libpng-dev libstb-dev fonts-dejavu-core libeigen3-dev libexpat1-dev libtinygltf-dev)
 python=(python3-dev pybind11-dev python3-numpy python3-pytest python3-networkx python3-tqdm)
 tests=("${tool[@]}" "${python[@]}" libgtest-dev assimp-utils)
-checks=("${tests[@]}" clang-format)
+checks=("${tests[@]}" clang-format git)
 all=("${checks[@]}" libbenchmark-dev libvalijson-dev python3-scipy python3-meshio python3-matplotlib
   python3-pil python3-distributed clang libc++-dev libc++abi-dev)
 benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
