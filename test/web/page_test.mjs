@@ -2,7 +2,7 @@
 // are removed. BROWSER is chromium or firefox.
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, readdirSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -54,9 +54,10 @@ async function saved(file) {
   const before = new Set(readdirSync(downloads));
   await doing(() => page.select('#save', file));
   for (let i = 0; i < 100; ++i) {
-    const found = readdirSync(downloads).find(name => !before.has(name) && !/\.(crdownload|part)$/.test(name));
-    if (found)
-      return join(downloads, found);
+    const made = readdirSync(downloads).filter(name => !before.has(name));
+    // Firefox makes the file first, empty, and beside it the one that it writes.
+    if (made.length === 1 && !/\.(crdownload|part)$/.test(made[0]) && statSync(join(downloads, made[0])).size > 0)
+      return join(downloads, made[0]);
     await new Promise(resolve => setTimeout(resolve, 100));
   }
   throw new Error(`${file} was not saved`);
