@@ -8,6 +8,7 @@
 #include "Browser.h"
 
 #include "app/draw/pages.h"
+#include "app/draw/scenes.h"
 #include "app/mend/mesh_reader.h"
 #include "app/solve/backends.h"
 

@@ -12,12 +12,13 @@
 #include "loop_records.h"
 #include "watch.h"
 
-#include "app/draw/pages.h"
 #include "app/draw/pictures.h"
+#include "app/draw/scenes.h"
 #include "app/solve/backends.h"
 #include "app/solve/certification.h"
 #include "app/solve/details.h"
 #include "app/write/tables.h"
+#include "window/window.h"
 
 #include <pybind11/stl.h>
 
@@ -86,7 +87,7 @@ py::bytes page(const py::array& points,
   htloops::Pairs pairs = pairs_of(loops, mesh);
   return compute(0, watch, [&] {
     const htloops::Answer answer = drawn_answer(mesh, std::move(pairs));
-    htl_window::Scene scene = htloops::scene_of_loops(
+    htl_scene::Scene scene = htloops::scene_of_loops(
         {}, title, mesh, answer, htloops::list_pairs(mesh, answer),
         std::to_string(answer.pairs.size()) + " pairs of loops\n", "pairs =");
     scene.title = "Handle and tunnel loops of " + title; // which is no name of a file
@@ -110,8 +111,9 @@ void picture(const std::string& file,
   htloops::check_picture_size(options);
   compute(0, watch, [&] {
     const htloops::Answer answer = drawn_answer(mesh, std::move(pairs));
-    htloops::export_picture(options, {}, htloops::drawn_surface(mesh),
-                            htloops::lines_of(answer, htloops::list_pairs(mesh, answer)));
+    htloops::export_picture(
+        options,
+        htloops::scene_of_loops({}, file, mesh, answer, htloops::list_pairs(mesh, answer), ""));
   });
 }
 

@@ -39,6 +39,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   draw/meshes.cpp
   draw/pages.cpp
   draw/pictures.cpp
+  draw/scenes.cpp
   draw/skeletons.cpp
   draw/surfaces.cpp
   draw/tints.cpp

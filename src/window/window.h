@@ -10,11 +10,9 @@
 #ifndef HTL_WINDOW_WINDOW_H
 #define HTL_WINDOW_WINDOW_H
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
+#include "scene/scene.h"
+
 #include <string>
-#include <vector>
 
 /// \file window.h
 /// Pages of HTML in which triangle meshes with lines on them can be turned and looked through. They
@@ -22,88 +20,7 @@
 
 namespace htl_window {
 
-using Colour = std::array<unsigned char, 3>; ///< sRGB
-using Point = std::array<double, 3>;
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// A surface; of several only one is seen at a time.
-struct Surface
-{
-  std::string name;
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> triangle_parts; ///< empty, or for each triangle a part
-  std::vector<Colour> part_colours;          ///< by part
-};
-
-/// A sort of lines; a viewer can choose not to see it.
-struct Line_group
-{
-  std::string name;
-  Colour colour;
-  double width = 1.; ///< as a multiple of that of others, below 4000
-};
-
-constexpr std::size_t every_surface = static_cast<std::size_t>(-1);
-constexpr std::size_t no_way = static_cast<std::size_t>(-1);
-
-/// A polyline; a ball if it is closed and has a single point.
-struct Line
-{
-  std::vector<Point> points;
-  bool closed;
-  std::size_t group; ///< its number
-  std::size_t row;   ///< the row of the table that tells of it; `no_row` if none does
-  std::size_t surface = every_surface; ///< its number, if it is seen with this one only
-  /// by point, how thick it is if the viewer wants that, in the unit of the points; or none.
-  std::vector<double> radii = {};
-  std::size_t way =
-      no_way; ///< the number of a line along which a slider moves it, from its first point
-};
-
-constexpr std::size_t no_row = static_cast<std::size_t>(-1);
-
-struct Column
-{
-  std::string name;
-  bool is_number;
-};
-
-/// What rows may be hidden by, and lines be coloured by, besides their lengths.
-struct Scale
-{
-  std::string name;
-  std::vector<double> values; ///< by row; what is not known is not finite
-};
-
-/// What is told beside the surface, and which lines belong to what is told.
-struct Table
-{
-  std::vector<Column> columns;
-  std::vector<std::vector<std::string>> rows;
-  std::vector<double> lengths;      ///< by row: a slider hides rows, with their lines, by it
-  std::vector<Scale> scales;        ///< or by one of these
-  std::vector<std::size_t> parts;   ///< by row: the part of the surface it tells of; or empty
-  std::vector<std::size_t> numbers; ///< by row: the number by which it is chosen, of the first ones
-  std::string choice;               ///< what precedes the numbers of the chosen rows: an option
-};
-
-/// What a page shows.
-struct Scene
-{
-  std::string name;                    ///< of the file that a saved picture gets, without its end
-  std::string title;                   ///< as it is to be read
-  std::vector<std::string> paragraphs; ///< as they are to be read
-  std::vector<Surface> surfaces;       ///< at least one
-  std::vector<Line_group> groups;
-  std::vector<Line> lines;
-  Table table;
-  Point view = {0.6, -1., 0.5}; ///< the direction from the surface to the eye, at first
-  Point up = {0., 0., 1.};      ///< the direction that is upright, at first
-  double opacity = 1.;          ///< of the surface, at first, 0 to 1
-  Colour surface_colour = {204, 212, 222};
-  bool has_bones = false; ///< lines are inside: a surface that is not opaque lies over them
-};
+using namespace htl_scene;
 
 /*!
 The text of a page. Coordinates are kept to 1 / 65535 of the extent of all that is shown along each

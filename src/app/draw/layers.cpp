@@ -166,7 +166,6 @@ private:
     Exported_line line;
     line.kind = "front";
     line.colour = colour_of_front;
-    line.is_outlined = true;
     line.index = lines_.size();
     while(is_walked_[h.idx()] == 0) {
       is_walked_[h.idx()] = 1;

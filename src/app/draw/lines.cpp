@@ -107,36 +107,32 @@ Exported_lines lines_of(const Throats& throats) {
   return result;
 }
 
-namespace {
-
-// What is measured; or else the diameter, which is that of one of the loops.
-void add_remarks(const Listed_pair& listed, Exported_line& handle, Exported_line& tunnel) {
-  const bool is_of_handle = listed.diameter.of == std::string(name_of(Loop_type::HANDLE));
-  if(!listed.measure || listed.diameter.bore)
-    (is_of_handle ? handle : tunnel).remark = ": d = " + three_digits(listed.diameter.value);
-  if(!listed.measure)
-    return;
-  if(const auto& ball = listed.measure->thickness)
-    handle.remark = ": " + three_digits(ball->diameter) + " thick";
-  if(const auto& ball = listed.measure->clear_width; ball && !listed.diameter.bore)
-    tunnel.remark = ": " + three_digits(ball->diameter) + " wide";
+std::string label_of(const Listed_pair& listed, Loop_type type) {
+  const std::string number = std::to_string(listed.pair) + ": ";
+  const bool is_of_this = listed.diameter.of == std::string(name_of(type));
+  if(const auto& measure = listed.measure) {
+    if(const auto& ball = measure->thickness; ball && type == Loop_type::HANDLE)
+      return number + three_digits(ball->diameter) + " thick";
+    if(const auto& ball = measure->clear_width;
+       ball && !listed.diameter.bore && type == Loop_type::TUNNEL)
+      return number + three_digits(ball->diameter) + " wide";
+  }
+  if(is_of_this && (!listed.measure || listed.diameter.bore))
+    return number + "d = " + three_digits(listed.diameter.value);
+  return std::to_string(listed.pair);
 }
-
-} // namespace
 
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing) {
   if(answer.throats.are_wanted)
     return lines_of(answer.throats);
   Exported_lines result = {"handle and tunnel loops", "pair", {}};
-  for(const Listed_pair& listed : listing) {
+  for(const Listed_pair& listed : listing)
     add_lines(result, answer.pairs[listed.pair], listed.pair);
-    add_remarks(listed, result.lines[result.lines.size() - 2], result.lines.back());
-  }
   const auto add = [&result](const std::vector<Loop>& loops, const auto& colour, const char* kind,
                              int number) {
     for(const Loop& loop : loops)
-      result.lines.push_back({loop.points(), true, colour, kind, number, loop.pair_index(),
-                              loop.length(), false, false});
+      result.lines.push_back(
+          {loop.points(), true, colour, kind, number, loop.pair_index(), loop.length()});
   };
   add(answer.boundaries.curves, colour_of_boundary_curve, "boundary", 2);
   add(answer.boundaries.waists, colour_of(Loop_type::BOUNDARY), "waist", 3);

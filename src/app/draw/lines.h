@@ -32,11 +32,8 @@ struct Exported_line
   int kind_number = 0;   ///< the same as a number
   std::size_t index = 0; ///< of what it stands for
   double length = 0.;
-  bool is_outlined = false;       ///< in pictures, as it has a dark surface below
-  bool is_numbered = true;        ///< in pictures with labels
-  std::string remark = {};        ///< what stands behind the number
-  double width = 1.;              ///< in pictures, as a multiple of that of others
-  std::vector<double> radii = {}; ///< by point, if it is drawn as thick as what is around it
+  double width = 1.;              ///< in models, as a multiple of that of others
+  std::vector<double> radii = {}; ///< by point, if it is as thick as what is around it
 
   /// as a closed line has one more edge than an open one.
   std::size_t number_of_edges() const { return points.size() - (is_closed ? 0 : 1); }
@@ -60,9 +57,12 @@ Exported_lines lines_of(const Pairs& pairs);
 Exported_lines lines_of(const Throats& throats);
 
 /// the throats if they were asked for; else the loops of the listed pairs, and the boundary curves,
-/// of kind 2, and their waists, of kind 3, if there are any. In pictures only pairs are numbered,
-/// and the loop that the diameter of a handle is taken from says it.
+/// of kind 2, and their waists, of kind 3, if there are any.
 Exported_lines lines_of(const Answer& answer, const Pair_listing& listing);
+
+/// what stands beside a loop of a pair: its number, and what is measured along this loop; or else
+/// the diameter of the handle, if it is taken from this loop.
+std::string label_of(const Listed_pair& listed, Loop_type type);
 
 /// throws `Failure` if the name of a file does not tell a format that lines can be written in.
 void check_lines_format(const std::string& file);

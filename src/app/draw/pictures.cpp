@@ -14,6 +14,7 @@
 #include "failure.h"
 #include "file_names.h"
 #include "interrupt.h"
+#include "mesh_types.h"
 #include "picture/picture.h"
 #include "write/files.h"
 
@@ -21,36 +22,48 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace htloops {
 namespace {
 
-std::vector<htl_picture::Line> tubes_along(const Exported_lines& lines, bool has_labels) {
-  std::vector<htl_picture::Line> tubes;
-  for(const Exported_line& line : lines.lines)
-    tubes.push_back({coordinates(line.points), line.colour, line.is_closed,
-                     has_labels && line.is_numbered ? std::to_string(line.index) + line.remark : "",
-                     line.is_outlined, line.width, line.radii});
-  return tubes;
+// What of the lines is in a picture of the first surface.
+bool is_drawn(const htl_scene::Scene& scene, const htl_scene::Line& line) {
+  return scene.groups[line.group].is_in_pictures &&
+         (line.surface == htl_scene::every_surface || line.surface == 0);
 }
 
-// How many lines of each kind there are, in the order in which they come.
-std::vector<htl_picture::Legend_entry> legend_of(const Exported_lines& lines) {
-  std::vector<std::pair<const Exported_line*, std::size_t>> kinds;
-  for(const Exported_line& line : lines.lines) {
-    const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
-      return kind.first->kind == line.kind;
-    });
-    if(known == kinds.end())
-      kinds.push_back({&line, 1});
-    else
-      ++known->second;
-  }
+std::vector<htl_picture::Line> drawn_lines(const htl_scene::Scene& scene,
+                                           const Picture_options& options) {
+  std::vector<htl_picture::Line> lines;
+  for(const htl_scene::Line& line : scene.lines)
+    if(is_drawn(scene, line)) {
+      const htl_scene::Line_group& group = scene.groups[line.group];
+      lines.push_back({line.points, group.colour, line.closed, options.has_labels ? line.label : "",
+                       group.is_outlined, group.width,
+                       options.has_tubes ? line.radii : std::vector<double>()});
+    }
+  return lines;
+}
+
+// How many lines of each group there are.
+std::vector<htl_picture::Legend_entry> legend_of(const htl_scene::Scene& scene) {
+  std::vector<std::size_t> counts(scene.groups.size());
+  for(const htl_scene::Line& line : scene.lines)
+    counts[line.group] += is_drawn(scene, line) ? 1 : 0;
   std::vector<htl_picture::Legend_entry> legend;
-  for(const auto& [line, count] : kinds)
-    legend.push_back({line->colour, line->kind + " (" + std::to_string(count) + ")"});
+  for(std::size_t i = 0; i < counts.size(); ++i)
+    if(const auto& group = scene.groups[i]; counts[i] > 0)
+      legend.push_back({group.colour, group.name + " (" + std::to_string(counts[i]) + ")"});
   return legend;
+}
+
+std::vector<Colour> colours_of_triangles(const htl_scene::Surface& surface) {
+  std::vector<Colour> colours;
+  for(const std::uint32_t part : surface.triangle_parts)
+    colours.push_back(surface.part_colours[part]);
+  return colours;
 }
 
 // Hidden lines are the paler the more there are: what matters is what is in front of them.
@@ -74,14 +87,12 @@ void check_picture_size(const Picture_options& options) {
   }
 }
 
-void export_picture(const Picture_options& options,
-                    const View& view,
-                    const Drawn_surface& surface,
-                    const Exported_lines& lines) {
+void export_picture(const Picture_options& options, const htl_scene::Scene& scene) {
+  const std::vector<htl_picture::Line> lines = drawn_lines(scene, options);
   htl_picture::Options picture;
-  const auto [from, up] = whole_view(view, surface);
-  picture.view = from;
-  picture.up = up;
+  picture.view = scene.view;
+  picture.up = scene.up;
+  picture.surface_colour = scene.surface_colour;
   if(!options.size.empty()) {
     picture.width = static_cast<int>(options.size[0]);
     picture.height = static_cast<int>(options.size[1]);
@@ -89,14 +100,16 @@ void export_picture(const Picture_options& options,
     picture.line_width_px = (std::max)(picture.line_width_px, 3.);
   }
   picture.look = throw_if_interrupted;
-  picture.surface_opacity = options.opacity.value_or(opacity_before(lines.lines.size()));
+  picture.surface_opacity = options.opacity.value_or(
+      scene.has_bones ? opacity_around_bones_in_pictures : opacity_before(lines.size()));
   if(options.has_legend)
-    picture.legend = legend_of(lines);
+    picture.legend = legend_of(scene);
   const std::string& file = options.file;
   std::string content;
   try {
-    content = htl_picture::encode_picture(surface.points, surface.triangles, surface.colours,
-                                          tubes_along(lines, options.has_labels), picture);
+    const htl_scene::Surface& surface = scene.surfaces[0];
+    content = htl_picture::encode_picture(surface.points, surface.triangles,
+                                          colours_of_triangles(surface), lines, picture);
   } catch(const std::runtime_error& error) {
     throw wrong_usage("--picture " + printable(file) + ": " + error.what());
   }

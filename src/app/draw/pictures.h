@@ -10,9 +10,7 @@
 #ifndef HTLOOPS_PICTURES_H
 #define HTLOOPS_PICTURES_H
 
-#include "draw/lines.h"
-#include "draw/surfaces.h"
-#include "draw/view.h"
+#include "scene/scene.h"
 
 #include <optional>
 #include <string>
@@ -28,11 +26,15 @@ struct Picture_options
   std::optional<double> opacity; ///< of the surface; none: so that many hidden lines stay pale
   bool has_labels = false;       ///< numbers of what lines stand for
   bool has_legend = false;       ///< what their colours mean
+  bool has_tubes = false;        ///< lines that have radii are as thick as these
 };
 
 #ifdef HTLOOPS_HAS_PICTURE
 
 constexpr bool has_pictures = true;
+
+/// of a surface with lines inside, if no other was asked for.
+constexpr double opacity_around_bones_in_pictures = 0.15;
 
 /// whether labels and legends can be written.
 bool can_write_on_pictures();
@@ -40,11 +42,8 @@ bool can_write_on_pictures();
 /// throws `Failure` if pictures are not made so large.
 void check_picture_size(const Picture_options& options);
 
-/// writes a picture of a surface and lines.
-void export_picture(const Picture_options& options,
-                    const View& view,
-                    const Drawn_surface& surface,
-                    const Exported_lines& lines);
+/// writes a picture of a scene.
+void export_picture(const Picture_options& options, const htl_scene::Scene& scene);
 
 #else
 
@@ -52,8 +51,7 @@ constexpr bool has_pictures = false;
 
 inline bool can_write_on_pictures() { return false; }
 inline void check_picture_size(const Picture_options&) {}
-inline void
-export_picture(const Picture_options&, const View&, const Drawn_surface&, const Exported_lines&) {}
+inline void export_picture(const Picture_options&, const htl_scene::Scene&) {}
 
 #endif
 

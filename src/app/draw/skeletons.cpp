@@ -55,7 +55,6 @@ void add_balls(const Graph& graph,
   for(const auto v : CGAL::make_range(vertices(graph)))
     if(is_of_kind(v)) {
       lines.lines.push_back(bone(kind, v, {graph[v].point}));
-      lines.lines.back().is_numbered = false;
       if(as_thick)
         lines.lines.back().radii = {graph[v].radius};
     }

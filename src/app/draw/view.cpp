@@ -9,6 +9,8 @@
 
 #include "draw/view.h"
 
+#include "draw/surfaces.h"
+
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ private:
 
 // Corners of a triangle in the cube.
 std::array<Vector, 3>
-placed_triangle(const Drawn_surface& surface, std::size_t t, const Placement& placed) {
+placed_triangle(const htl_scene::Surface& surface, std::size_t t, const Placement& placed) {
   const auto& [i, j, k] = surface.triangles[t];
   return {placed(surface.points[i]), placed(surface.points[j]), placed(surface.points[k])};
 }
@@ -74,7 +76,7 @@ Vector point_in(const std::array<Vector, 3>& triangle, std::size_t n) {
 }
 
 // Points of the surface that stand for equal parts of it, however large its triangles are.
-std::vector<Vector> samples_of(const Drawn_surface& surface, const Placement& placed) {
+std::vector<Vector> samples_of(const htl_scene::Surface& surface, const Placement& placed) {
   constexpr double number_of_samples = 60000.;
   double whole_area = 0.;
   for(std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -128,7 +130,7 @@ private:
 class Visibility
 {
 public:
-  Visibility(const Drawn_surface& surface, const std::vector<std::vector<Vector>>& lines)
+  Visibility(const htl_scene::Surface& surface, const std::vector<std::vector<Vector>>& lines)
       : lines_(lines) {
     const Placement placed(surface.points);
     if(placed.is_point()) {
@@ -162,7 +164,7 @@ private:
   std::vector<Vector> samples_;
 };
 
-Vector best_direction(const Drawn_surface& surface,
+Vector best_direction(const htl_scene::Surface& surface,
                       const std::vector<std::vector<Vector>>& lines,
                       const Vector& up) {
   constexpr Vector oblique = {0.6, -1., 0.5};
@@ -195,12 +197,7 @@ Vector best_direction(const Drawn_surface& surface,
 
 } // namespace
 
-void choose(View& view, const Pair& pair) {
-  for(const Loop_type type : loop_types)
-    view.chosen.push_back(coordinates(pair.loop(type).points()));
-}
-
-Whole_view whole_view(const View& given, const Drawn_surface& surface) {
+Whole_view whole_view(const View& given, const htl_scene::Surface& surface) {
   Whole_view view{{}, {0., 0., 1.}};
   if(!given.up.empty())
     view.up = {given.up[0], given.up[1], given.up[2]};

@@ -10,7 +10,7 @@
 #ifndef HTLOOPS_VIEW_H
 #define HTLOOPS_VIEW_H
 
-#include "draw/surfaces.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <vector>
@@ -22,11 +22,8 @@ struct View
 {
   std::vector<double> from; ///< the direction from the surface to the eye
   std::vector<double> up;   ///< the direction that is upright
-  std::vector<std::vector<std::array<double, 3>>> chosen; ///< lines that were asked for, of more
+  std::vector<std::vector<std::array<double, 3>>> chosen; ///< lines that are to be seen
 };
-
-/// adds the loops of a pair to the chosen lines.
-void choose(View& view, const Pair& pair);
 
 /// A view without defaults.
 struct Whole_view
@@ -37,7 +34,7 @@ struct Whole_view
 /// what was given; of what was not, z is upright, and the surface is seen from a little above, from
 /// where most of the chosen lines is visible, and the largest part of the surface. That is found by
 /// samples: the time is linear in the size of the mesh.
-Whole_view whole_view(const View& given, const Drawn_surface& surface);
+Whole_view whole_view(const View& given, const htl_scene::Surface& surface);
 
 } // namespace htloops
 

@@ -9,6 +9,7 @@
 
 #include "app/clean/soup_cleaning.h"
 #include "app/draw/pages.h"
+#include "app/draw/scenes.h"
 #include "app/failure.h"
 #include "app/file_names.h"
 #include "app/numbers.h"
@@ -148,8 +149,8 @@ void write_files(const Clean_command_options& options,
   if(!options.json_file.empty())
     write_clean_json(options.json_file, result);
   if(!options.page_file.empty())
-    write_clean_page(options.page_file, options.mesh_file, result.mended, result,
-                     table_of_cleaning(result));
+    write_page(options.page_file, scene_of_cleaning(options.mesh_file, result.mended, result,
+                                                    table_of_cleaning(result)));
 }
 
 void run(const Clean_command_options& options) {

@@ -9,7 +9,7 @@
 
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
-#include "app/draw/pages.h"
+#include "app/draw/scenes.h"
 #include "app/mend/mesh_reader.h"
 #include "app/read/soup.h"
 #include "app/solve/charts.h"
@@ -104,15 +104,13 @@ void write_files(const Cut_command_options& options,
   }
   if(!options.selection_file.empty())
     export_selection(options.selection_file, mesh, answer.edges);
-  if(!options.lines_files.empty() || !options.picture.file.empty() || !options.page_file.empty()) {
-    const Exported_lines lines = lines_of(mesh, answer.edges);
-    for(const std::string& file : options.lines_files)
-      export_lines(file, lines);
-    if(!options.picture.file.empty())
-      export_picture(options.picture, options.view, drawn_surface(mesh), lines);
-    if(!options.page_file.empty())
-      write_cut_page(options.page_file, options.view, options.mesh_file, mesh, lines, words);
-  }
+  if(options.lines_files.empty() && !is_looked_at(options))
+    return;
+  const Exported_lines lines = lines_of(mesh, answer.edges);
+  for(const std::string& file : options.lines_files)
+    export_lines(file, lines);
+  if(is_looked_at(options))
+    show_scene(options, scene_of_cut(options.view, options.mesh_file, mesh, lines, words));
 }
 
 std::string words_of(const Charts& charts) {

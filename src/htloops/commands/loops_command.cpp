@@ -12,6 +12,7 @@
 #include "app/draw/lines.h"
 #include "app/draw/pages.h"
 #include "app/draw/pictures.h"
+#include "app/draw/scenes.h"
 #include "app/failure.h"
 #include "app/interrupt.h"
 #include "app/read/mesh_list.h"
@@ -86,30 +87,29 @@ std::string remark_on_numbers(const Loops_options& options) {
                "keeps them for 'htloops remove'.\n";
 }
 
-// Pairs that were asked for are to be seen.
-View view_of(const Loops_options& options, const Mesh_line& line) {
-  View view = options.view;
-  if(line.listing.size() < line.answer.pairs.size())
-    for(const Listed_pair& listed : line.listing)
-      choose(view, line.answer.pairs[listed.pair]);
-  return view;
+htl_scene::Scene scene_of(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
+  return scene_of_loops(options.view, options.mesh_file, mesh, line.answer, line.listing,
+                        words_of_left_out(line) + summary_of(options, line) +
+                            remark_on_numbers(options),
+                        choice_of_pairs(options));
 }
 
-// The loops, or the layers at a moment.
-void draw(const Loops_options& options, const View& view, const Mesh& mesh, const Mesh_line& line) {
-  if(options.picture.file.empty() && options.gltf_file.empty())
-    return;
-  Drawn_surface surface;
-  Exported_lines lines;
-  if(options.moment) {
-    Grown_layers grown = grown_layers(mesh, line.answer, *options.moment);
-    surface = std::move(grown.surface);
-    lines = std::move(grown.fronts);
-  } else {
-    surface = drawn_surface(mesh);
-    lines = lines_of(line.answer, line.listing);
-  }
-  htloops::draw(options, options.picture, view, surface, lines);
+// The layers at a moment; on a page the loops.
+void show_layers(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
+  const Grown_layers grown = grown_layers(mesh, line.answer, *options.moment);
+  if(!options.picture.file.empty())
+    export_picture(options.picture, scene_of_layers(options.view, options.mesh_file, grown));
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, grown.surface, grown.fronts);
+  if(!options.page_file.empty())
+    write_page(options.page_file, scene_of(options, mesh, line));
+}
+
+void show_loops(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(line.answer, line.listing));
+  if(is_looked_at(options))
+    show_scene(options, scene_of(options, mesh, line));
 }
 
 void write_files(const Loops_options& options, const Mended_mesh& mended, const Mesh_line& line) {
@@ -126,14 +126,7 @@ void write_files(const Loops_options& options, const Mended_mesh& mended, const 
     write_channels(options.channels_file, find_channels(mesh, answer.measures));
   if(!options.layers_file.empty())
     export_layers(options.layers_file, mesh, answer.vertex_layers);
-  const View view = view_of(options, line);
-  draw(options, view, mesh, line);
-  if(!options.page_file.empty())
-    write_page(options.page_file,
-               scene_of_loops(view, options.mesh_file, mesh, answer, line.listing,
-                              words_of_left_out(line) + summary_of(options, line) +
-                                  remark_on_numbers(options),
-                              choice_of_pairs(options)));
+  (options.moment ? show_layers : show_loops)(options, mesh, line);
 }
 
 bool is_output_taken(const Loops_options& options) {

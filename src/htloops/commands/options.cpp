@@ -9,6 +9,7 @@
 
 #include "commands/options.h"
 
+#include "app/draw/pages.h"
 #include "app/failure.h"
 #include "app/file_names.h"
 #include "app/read/mesh_list.h"
@@ -266,15 +267,15 @@ void write_read_mesh(const Mesh_options& options, const Mended_mesh& mended) {
   show_note_on_unit(options, options.written_mesh_file, mended.facts);
 }
 
-void draw(const Common_options& options,
-          const Picture_options& picture,
-          const View& view,
-          const Drawn_surface& surface,
-          const Exported_lines& lines) {
-  if(!picture.file.empty())
-    export_picture(picture, view, surface, lines);
-  if(!options.gltf_file.empty())
-    export_gltf(options.gltf_file, surface, lines);
+bool is_looked_at(const Common_options& options) {
+  return !options.picture.file.empty() || !options.page_file.empty();
+}
+
+void show_scene(const Common_options& options, const htl_scene::Scene& scene) {
+  if(!options.picture.file.empty())
+    export_picture(options.picture, scene);
+  if(!options.page_file.empty())
+    write_page(options.page_file, scene);
 }
 
 CLI::Option* add_numbers(CLI::App& command,
@@ -381,7 +382,7 @@ void check_common_options(const Common_options& options, void (*check_lines)(con
       continue;
     if(is_zero(direction))
       throw wrong_usage(std::string(name) + " 0,0,0 is not a direction");
-    if(options.picture.file.empty() && options.page_file.empty())
+    if(!is_looked_at(options))
       throw wrong_usage(std::string(name) + " says how to look at something: it needs " +
                         (has_pictures ? "--picture or --html" : "--html"));
   }
@@ -392,12 +393,6 @@ void check_common_options(const Common_options& options, void (*check_lines)(con
   for(const std::string& file : options.lines_files)
     check_lines(file);
   check_suffix(options.gltf_file, ".glb");
-}
-
-Picture_options around_bones(Picture_options picture) {
-  if(!picture.opacity)
-    picture.opacity = std::stod(words_of_opacity_around_bones);
-  return picture;
 }
 
 void check_name(const std::string& file, const char* what, const std::vector<std::string>& ends) {

@@ -17,6 +17,7 @@
 #include "app/mend/near_points.h"
 #include "app/mesh_types.h"
 #include "app/read/loops_reader.h"
+#include "scene/scene.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -105,12 +106,11 @@ struct Common_options : Mesh_options
   int number_of_threads = 0;
 };
 
-/// draws a surface and lines as far as files are asked for: a picture, a model as glTF.
-void draw(const Common_options& options,
-          const Picture_options& picture,
-          const View& view,
-          const Drawn_surface& surface,
-          const Exported_lines& lines);
+/// whether a picture or a page is asked for.
+bool is_looked_at(const Common_options& options);
+
+/// writes those that are asked for.
+void show_scene(const Common_options& options, const htl_scene::Scene& scene);
 
 // In each, `text` stands for the value in the help.
 
@@ -178,10 +178,6 @@ void add_threads_option(CLI::App& command, Common_options& options);
 /// is to be seen from no direction.
 void check_common_options(const Common_options& options,
                           void (*check_lines)(const std::string&) = check_lines_format);
-
-/// the same with the opacity of a surface around lines that are inside, if no other was asked for.
-Picture_options around_bones(Picture_options picture);
-constexpr char words_of_opacity_around_bones[] = "0.15";
 
 /// throws `Failure` if the name of an output says that it is something else than it is: that is a
 /// mistake.

@@ -10,7 +10,7 @@
 #include "app/draw/gltf.h"
 #include "app/draw/lines.h"
 #include "app/draw/meshes.h"
-#include "app/draw/pages.h"
+#include "app/draw/scenes.h"
 #include "app/draw/skeletons.h"
 #include "app/draw/surfaces.h"
 #include "app/draw/tints.h"
@@ -39,7 +39,6 @@ struct Reeb_command_options : Common_options
   std::string parts_file;
   std::string csv_file;
   bool show_all = false;
-  bool has_tubes = false;
   std::string drawing;
   std::vector<std::uint32_t> seeds;
   std::vector<double> height;
@@ -52,9 +51,9 @@ struct Reeb_command_options : Common_options
 
 // Where lines are looked at they are worth the time.
 bool is_drawn_inside(const Reeb_command_options& options) {
-  const bool is_looked_at = !options.picture.file.empty() || !options.page_file.empty() ||
-                            !options.gltf_file.empty() || !options.lines_files.empty();
-  return options.drawing.empty() ? is_looked_at : options.drawing == "inside";
+  const bool is_drawn =
+      is_looked_at(options) || !options.gltf_file.empty() || !options.lines_files.empty();
+  return options.drawing.empty() ? is_drawn : options.drawing == "inside";
 }
 
 // Parts are to be ones that one would name.
@@ -71,7 +70,7 @@ void check_options(const Reeb_command_options& options) {
   check_suffix(options.parts_file, ".ply");
   check_common_options(options);
   choose_backend(options.backend);
-  if(options.has_tubes && !is_drawn_inside(options))
+  if(options.picture.has_tubes && !is_drawn_inside(options))
     throw wrong_usage("--tubes needs the radii of lines that are drawn inside");
   check_name(options.csv_file, "a table as CSV", {".csv"});
 }
@@ -124,6 +123,7 @@ void write_files(const Reeb_command_options& options,
                  const Mesh& mesh,
                  const Reeb_answer& answer,
                  const std::vector<Listed_arc>& arcs,
+                 const std::string& text,
                  double read_seconds) {
   if(!options.csv_file.empty())
     write_arc_csv(options.csv_file, arcs);
@@ -135,13 +135,15 @@ void write_files(const Reeb_command_options& options,
     export_graph(file, answer);
   if(!options.parts_file.empty())
     export_coloured_mesh(options.parts_file, mesh, answer);
-  if(!options.picture.file.empty() || !options.gltf_file.empty()) {
-    const Exported_lines lines = bones_of(mesh, answer, options.has_tubes);
+  if(is_looked_at(options))
+    show_scene(options,
+               scene_of_reeb_graph(options.view, options.mesh_file, mesh, answer, arcs, text));
+  if(!options.gltf_file.empty()) {
     const std::vector<Colour> tints = tints_of(answer);
     Drawn_surface surface =
         drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });
     surface.opacity = opacity_around_bones;
-    draw(options, around_bones(options.picture), options.view, surface, lines);
+    export_gltf(options.gltf_file, surface, bones_of(mesh, answer, options.picture.has_tubes));
   }
 }
 
@@ -191,11 +193,9 @@ void run(const Reeb_command_options& options) {
   write_read_mesh(options, mended);
   const std::string text = words_of_graph(answer, read_seconds) + words_of_unit(mended.facts.unit);
   std::vector<Listed_arc> arcs; // measuring them takes a look at every face
-  if(!options.is_quiet || !options.csv_file.empty() || !options.page_file.empty())
+  if(!options.is_quiet || !options.csv_file.empty() || is_looked_at(options))
     arcs = list_arcs(mesh, answer);
-  write_files(options, mesh, answer, arcs, read_seconds);
-  if(!options.page_file.empty())
-    write_reeb_page(options.page_file, options.view, options.mesh_file, mesh, answer, arcs, text);
+  write_files(options, mesh, answer, arcs, text, read_seconds);
   if(!options.is_quiet)
     show_text(table_of_arcs(arcs, options.show_all) + text, is_output_taken(options));
 }
@@ -209,10 +209,11 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   add_output(command, "--parts", "FILE.ply", options.parts_file,
              "the mesh with vertices coloured by arc");
   add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
-  add_picture_options(command, options, "the graph", true, words_of_opacity_around_bones);
+  add_picture_options(command, options, "the graph", true,
+                      formatted("%g", opacity_around_bones_in_pictures));
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
-  command.add_flag("--tubes", options.has_tubes,
+  command.add_flag("--tubes", options.picture.has_tubes,
                    "bones as thick as the solid, in the picture and as glTF");
   add_view_options(command, options);
 }

@@ -8,7 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/draw/gltf.h"
-#include "app/draw/pages.h"
+#include "app/draw/scenes.h"
 #include "app/failure.h"
 #include "app/file_names.h"
 #include "app/solve/backends.h"
@@ -114,15 +114,6 @@ Told_removal told(const Mesh& mesh,
   return told;
 }
 
-// Handles that were asked for are to be seen.
-View view_of(const Remove_options& options, const Pairs& all, const Pair_listing& chosen) {
-  View view = options.view;
-  if(chosen.size() < all.size())
-    for(const Listed_pair& listed : chosen)
-      choose(view, all[listed.pair]);
-  return view;
-}
-
 Mesh_line line_of(const std::string& mesh_file, const Answer& answer, const Pair_listing& listing) {
   Mesh_line line = {mesh_file};
   line.answer = answer;
@@ -140,12 +131,11 @@ void write_files(const Remove_options& options,
   if(!options.csv_file.empty())
     Line_files(options.csv_file, "", Row_kind::REMOVALS)
         .add(line_of(options.mesh_file, answer, told.listing));
-  const View view = view_of(options, answer.pairs, told.listing);
-  if(!options.picture.file.empty() || !options.gltf_file.empty())
-    draw(options, options.picture, view, drawn_surface(mesh), lines_of(answer, told.listing));
-  if(!options.page_file.empty())
-    write_removal_page(options.page_file, view,
-                       {options.mesh_file, mesh, answer.pairs, told.report, removal.mesh});
+  if(!options.gltf_file.empty())
+    export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
+  if(is_looked_at(options))
+    show_scene(options, scene_of_removal(options.view, {options.mesh_file, mesh, answer.pairs,
+                                                        told.listing, told.report, removal.mesh}));
 }
 
 // What was asked for, in other words: lengths are often taken for diameters, and the unit for

@@ -8,7 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/draw/gltf.h"
-#include "app/draw/pages.h"
+#include "app/draw/scenes.h"
 #include "app/draw/skeletons.h"
 #include "app/failure.h"
 #include "app/file_names.h"
@@ -38,7 +38,6 @@ struct Skeleton_command_options : Common_options
   std::string parts_file;
   std::string csv_file;
   bool show_all = false;
-  bool has_tubes = false;
   Skeleton_options skeleton;
 };
 
@@ -57,17 +56,14 @@ Skeleton_answer solve(const Mesh& mesh, const Skeleton_command_options& options)
   return find_skeleton(mesh, how, bar);
 }
 
-void draw(const Skeleton_command_options& options,
-          const Mesh& mesh,
-          const Skeleton_answer& answer) {
-  if(options.picture.file.empty() && options.gltf_file.empty())
-    return;
+void export_model(const Skeleton_command_options& options,
+                  const Mesh& mesh,
+                  const Skeleton_answer& answer) {
   const auto [cut, tints] = skeleton_surface(mesh, answer);
   Drawn_surface surface =
       drawn_surface(cut, [&colours = tints](std::size_t part) { return colours[part]; });
   surface.opacity = opacity_around_bones;
-  const Exported_lines bones = bones_of(answer, options.has_tubes);
-  htloops::draw(options, around_bones(options.picture), options.view, surface, bones);
+  export_gltf(options.gltf_file, surface, bones_of(answer, options.picture.has_tubes));
 }
 
 void write_files(const Skeleton_command_options& options,
@@ -89,10 +85,11 @@ void write_files(const Skeleton_command_options& options,
     write_skeleton_graph(file, answer);
   if(!options.parts_file.empty())
     export_coloured_mesh(options.parts_file, mesh, answer);
-  draw(options, mesh, answer);
-  if(!options.page_file.empty())
-    write_skeleton_page(options.page_file, options.view, options.mesh_file, mesh, answer,
-                        summary(answer, read_seconds));
+  if(!options.gltf_file.empty())
+    export_model(options, mesh, answer);
+  if(is_looked_at(options))
+    show_scene(options, scene_of_skeleton(options.view, options.mesh_file, mesh, answer,
+                                          summary(answer, read_seconds)));
 }
 
 bool is_output_taken(const Skeleton_command_options& options) {
@@ -147,10 +144,11 @@ void add_output_options(CLI::App& command, Skeleton_command_options& options) {
   add_output(command, "--parts", "FILE.ply", options.parts_file,
              "the mesh with vertices coloured by arc");
   add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
-  add_picture_options(command, options, "the skeleton", true, words_of_opacity_around_bones);
+  add_picture_options(command, options, "the skeleton", true,
+                      formatted("%g", opacity_around_bones_in_pictures));
   add_page_option(command, options, "the mesh and the skeleton");
   add_gltf_option(command, options, "the arcs");
-  command.add_flag("--tubes", options.has_tubes,
+  command.add_flag("--tubes", options.picture.has_tubes,
                    "bones as thick as the solid, in the picture and as glTF");
   add_view_options(command, options);
 }

@@ -4,6 +4,7 @@
 #include "Meshes_of_soups.h"
 #include "Temporary_folder.h"
 
+#include "app/draw/scenes.h"
 #include "app/solve/backends.h"
 #include "app/solve/skeleton_solver.h"
 #include "app/write/tables.h"
@@ -21,7 +22,7 @@
 
 namespace test_htloops_browser {
 
-using htl_window::Colour;
+using htl_scene::Colour;
 using htloops::Mesh;
 using Json = Browser::Json;
 
@@ -54,12 +55,12 @@ protected:
 
   static Browser& browser() { return *browser_; }
 
-  void open(const Mesh& mesh) {
+  void open(const Mesh& mesh, const htloops::View& view = {}) {
     htloops::Progress told;
     answer_ = htloops::host_backend.solve(mesh, {}, told);
     listing_ = htloops::list_pairs(mesh, answer_);
     const std::string file = folder_.path("page.html");
-    htloops::write_page(file, htloops::scene_of_loops({}, "a <mesh>.off", mesh, answer_, listing_,
+    htloops::write_page(file, htloops::scene_of_loops(view, "a <mesh>.off", mesh, answer_, listing_,
                                                       "one\ntwo & <b>"));
     browser().open(file, "document.body?.classList.contains('ready') === true");
   }
@@ -194,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"plates", {3000, 5, 0}}));
 
 TEST_F(Page, loops_that_are_seen_have_no_gaps) {
-  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}));
+  open(mesh_of<Mesh>(Recipe{"multi-torus", {6000, 3, 0}}), {{0.2, -0.5, 1.}, {}, {}});
   const Decoded_png picture = browser().screenshot();
   for(std::size_t line = 0; line < 6; ++line)
     EXPECT_LE(number_of_ends(picture, line, line % 2 == 0 ? handle_colour : tunnel_colour), 5)
@@ -402,7 +403,7 @@ TEST_F(Page, bones_are_seen_through_the_surface_thin_or_thick) {
   htloops::Progress told;
   const htloops::Skeleton_answer answer = htloops::find_skeleton(mesh, {}, told);
   const std::string file = folder_.path("bones.html");
-  htloops::write_skeleton_page(file, {}, "a.off", mesh, answer, "one");
+  htloops::write_page(file, htloops::scene_of_skeleton({}, "a.off", mesh, answer, "one"));
   browser().open(file, "document.body?.classList.contains('ready') === true");
   const auto orange = [] {
     return browser().screenshot().count([](const Colour& c) { return c[0] > c[2] + 60; });

@@ -299,9 +299,11 @@ TEST(Tube, of_points_at_one_place_is_that_of_one_of_them) {
   EXPECT_TRUE(htloops::tube_around({{1., 2., 3.}, {1., 2., 3.}}, true, 0.05).triangles.empty());
 }
 
-const htloops::Drawn_surface& sphere() {
-  static const htloops::Drawn_surface surface =
-      htloops::drawn_surface(mesh_of<Mesh>(Recipe{"sphere", {5000, 0, 0}}));
+const htl_scene::Surface& sphere() {
+  static const htl_scene::Surface surface = [] {
+    const auto drawn = htloops::drawn_surface(mesh_of<Mesh>(Recipe{"sphere", {5000, 0, 0}}));
+    return htl_scene::Surface{"", drawn.points, drawn.triangles, {}, {}};
+  }();
   return surface;
 }
 

@@ -4,6 +4,7 @@
 #include "Temporary_folder.h"
 
 #include "app/draw/pictures.h"
+#include "app/draw/scenes.h"
 #include "app/failure.h"
 #include "app/read/input_file.h"
 #include "app/write/files.h"
@@ -125,7 +126,8 @@ TEST(Interrupt_DeathTest, stops_what_draws_a_picture) {
   EXPECT_EXIT(end_after([&] {
                 const Interrupt_guard guard;
                 std::raise(SIGTERM);
-                export_picture({folder.path("a.png"), {}, {}}, {}, drawn_surface(small_mesh()), {});
+                export_picture({folder.path("a.png"), {}, {}},
+                               scene_of_cut({}, "a.off", small_mesh(), {}, ""));
               }),
               testing::ExitedWithCode(128 + SIGTERM), "");
   EXPECT_EQ(folder.number_of_files(), 0u);

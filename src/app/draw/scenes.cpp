@@ -1,0 +1,442 @@
+// Copyright (c) 2026 The Handle_tunnel_loops authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Handle_tunnel_loops authors
+
+#include "draw/scenes.h"
+
+#include "draw/skeletons.h"
+#include "draw/surfaces.h"
+#include "draw/tints.h"
+#include "file_names.h"
+#include "system/files.h"
+#include "words.h"
+#include "write/throat_tables.h"
+
+#include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace htloops {
+namespace {
+
+// The extents of a box are told in fewer letters than where there is room.
+std::vector<std::string> narrow_cells_of(const Listed_pair& pair, const Pair_columns& columns) {
+  std::vector<std::string> cells = cells_of(pair, columns);
+  boost::algorithm::replace_all(cells.back(), " x ", "\u00d7");
+  return cells;
+}
+
+/// adds the sorts of lines that handle loops and tunnel loops are, which come first.
+void add_groups_of_loops(htl_scene::Scene& scene) {
+  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(Loop_type::TUNNEL)}};
+}
+
+// adds a line of a group, told of in a row.
+void add_line(htl_scene::Scene& scene,
+              const std::vector<Point>& points,
+              bool is_closed,
+              std::size_t group,
+              std::size_t row = htl_scene::no_row) {
+  scene.lines.push_back({coordinates(points), is_closed, group, row});
+}
+
+// Adds both loops of a pair to these, told of in a row.
+void add_loops(htl_scene::Scene& scene,
+               const Pairs& pairs,
+               const Listed_pair& listed,
+               std::size_t row) {
+  for(std::size_t group = 0; group < 2; ++group) {
+    const Loop_type type = loop_types[group];
+    add_line(scene, pairs[listed.pair].loop(type).points(), true, group, row);
+    scene.lines.back().label = label_of(listed, type);
+  }
+}
+
+// A surface without parts.
+htl_scene::Surface surface_of(const std::string& name, const Drawn_surface& surface) {
+  return {name, surface.points, surface.triangles, {}, {}};
+}
+
+// Three great circles.
+std::vector<Point> circles_of(const Ball& ball) {
+  constexpr int corners = 32;
+  std::vector<Point> points;
+  for(int axis = 0; axis < 3; ++axis)
+    for(int i = 0; i <= corners; ++i) {
+      const double angle = 2. * CGAL_PI * i / corners;
+      std::array<double, 3> p = {0., 0., 0.};
+      p[static_cast<std::size_t>(axis)] = ball.diameter / 2. * internal::cosine(angle);
+      p[static_cast<std::size_t>((axis + 1) % 3)] = ball.diameter / 2. * internal::sine(angle);
+      points.emplace_back(ball.throat.x() + p[0], ball.throat.y() + p[1], ball.throat.z() + p[2]);
+    }
+  return points;
+}
+
+// The ways of the balls that can be threaded, and these at their throats; a slider moves them.
+void add_balls(htl_scene::Scene& scene, const Measures& measures, const Pair_listing& listing) {
+  if(!has_measures(listing))
+    return;
+  const std::size_t first = scene.groups.size();
+  scene.groups.insert(scene.groups.end(), {{"balls in the material", {120, 70, 20}},
+                                           {"balls through holes", {20, 120, 90}},
+                                           {"their ways", {120, 120, 130}, 0.6}});
+  for(std::size_t group = first; group < scene.groups.size(); ++group)
+    scene.groups[group].is_in_pictures = false; // in which they do not move
+  for(std::size_t row = 0; row < listing.size(); ++row) {
+    const Measure& measure = measures[listing[row].pair];
+    std::size_t group = first;
+    for(const auto ball : {&measure.thickness, &measure.clear_width}) {
+      if(*ball && !(*ball)->curve.empty()) {
+        add_line(scene, (*ball)->curve, true, first + 2, row);
+        add_line(scene, circles_of(**ball), true, group, row);
+        scene.lines.back().way = scene.lines.size() - 2;
+      }
+      ++group;
+    }
+  }
+}
+
+// What rows may be hidden by.
+void add_scales(htl_scene::Table& table, const Pair_listing& listing) {
+  const auto add = [&](const char* name, const auto& value_of) {
+    table.scales.push_back({name, {}});
+    for(const Listed_pair& pair : listing)
+      table.scales.back().values.push_back(
+          value_of(pair).value_or(std::numeric_limits<double>::quiet_NaN()));
+  };
+  add("diameter", [](const Listed_pair& pair) { return std::optional(pair.diameter.value); });
+  if(!has_measures(listing))
+    return;
+  const auto diameter = [](const std::optional<Listed_ball>& ball) {
+    return ball ? std::optional(ball->diameter) : std::nullopt;
+  };
+  add("thickness", [&](const Listed_pair& pair) { return diameter(pair.measure->thickness); });
+  add("clear width", [&](const Listed_pair& pair) { return diameter(pair.measure->clear_width); });
+}
+
+void add_pairs(htl_scene::Scene& scene,
+               const Pairs& pairs,
+               const Pair_listing& listing,
+               const std::string& choice) {
+  const Pair_columns columns(listing);
+  for(const Table_column& column : columns_of(columns))
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.table.choice = choice;
+  add_groups_of_loops(scene);
+  for(std::size_t row = 0; row < listing.size(); ++row) {
+    const Listed_pair& listed = listing[row];
+    scene.table.rows.push_back(narrow_cells_of(listed, columns));
+    scene.table.lengths.push_back((std::min)(listed.handle_length, listed.tunnel_length));
+    scene.table.numbers.push_back(listed.pair);
+    add_loops(scene, pairs, listed, row);
+  }
+  add_scales(scene.table, listing);
+}
+
+void add_group(htl_scene::Scene& scene,
+               const std::string& name,
+               htl_scene::Colour colour,
+               const std::vector<Loop>& loops) {
+  if(loops.empty())
+    return;
+  scene.groups.push_back({name, colour});
+  for(const Loop& loop : loops)
+    add_line(scene, loop.points(), true, scene.groups.size() - 1);
+}
+
+// In place of pairs.
+void add_throats(htl_scene::Scene& scene, const Throats& throats) {
+  for(const Table_column& column : throat_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
+                  {"tunnel loops", colour_of(Loop_type::TUNNEL)},
+                  {"of other classes", colour_of(Loop_type::BOUNDARY)},
+                  {"that separate", colour_of_separating}};
+  for(const Throat& throat : throats.all) {
+    const std::size_t group = throat.is_separating                      ? 3
+                              : !throat.pair                            ? 2
+                              : throat.loop.type() == Loop_type::TUNNEL ? 1
+                                                                        : 0;
+    add_line(scene, throat.loop.points(), true, group, scene.table.rows.size());
+    scene.lines.back().label = std::to_string(throat.loop.pair_index());
+    scene.table.rows.push_back(cells_of(throats, throat));
+    scene.table.lengths.push_back(throat.loop.length());
+  }
+}
+
+// The numbers of groups are those of the kinds of bones. Arcs are told of in rows.
+void add_bones(htl_scene::Scene& scene,
+               const Exported_lines& bones,
+               const std::vector<std::size_t>& row_of_arc) {
+  for(const Bone_kind& kind : bone_kinds)
+    scene.groups.push_back({kind.many, kind.colour, kind.width});
+  for(const Exported_line& bone : bones.lines) {
+    const bool is_ball = bone.points.size() == 1;
+    add_line(scene, bone.points, bone.is_closed || is_ball,
+             static_cast<std::size_t>(bone.kind_number),
+             is_ball ? htl_scene::no_row : row_of_arc[bone.index]);
+    scene.lines.back().radii = bone.radii;
+    if(!is_ball)
+      scene.lines.back().label = std::to_string(bone.index);
+  }
+}
+
+void add_arcs(htl_scene::Scene& scene,
+              const Mesh& mesh,
+              const Reeb_answer& answer,
+              const std::vector<Listed_arc>& arcs) {
+  for(const Table_column& column : arc_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  std::vector<std::size_t> row_of(arcs.size());
+  for(const Listed_arc& arc : arcs) {
+    row_of[arc.arc] = scene.table.rows.size();
+    scene.table.rows.push_back(cells_of(arc));
+    scene.table.lengths.push_back(arc.length);
+    scene.table.parts.push_back(arc.arc);
+  }
+  add_bones(scene, bones_of(mesh, answer, answer.embedding.has_value()), row_of);
+}
+
+void add_arcs(htl_scene::Scene& scene, const Skeleton_answer& answer) {
+  for(const Table_column& column : skeleton_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  std::vector<std::size_t> row_of(answer.arcs.size());
+  for(const std::size_t arc : arcs_by_length(answer)) {
+    row_of[arc] = scene.table.rows.size();
+    scene.table.rows.push_back(cells_of(answer, arc));
+    scene.table.lengths.push_back(answer.arcs[arc].length);
+    scene.table.parts.push_back(arc);
+  }
+  add_bones(scene, bones_of(answer, true), row_of);
+}
+
+void add_row(htl_scene::Table& table, const std::string& name, const Removed_handle& handle) {
+  table.rows.push_back(cells_of(handle, name));
+  table.rows.back().emplace_back();
+  table.lengths.push_back(handle.length);
+}
+
+void add_row(htl_scene::Table& table, const std::string& name, const Refused_handle& handle) {
+  std::vector<std::string> cells = {name, "refused", formatted("%.6g", handle.length)};
+  cells.resize(std::size(removal_columns));
+  cells.push_back(handle.reason);
+  table.rows.push_back(std::move(cells));
+  table.lengths.push_back(handle.length);
+}
+
+// Handles that were removed, or those that were refused.
+void add_handles(htl_scene::Scene& scene, const Removal_shown& shown, bool are_removed) {
+  for(const Listed_pair& listed : shown.listing) {
+    const auto& [done, refused] = *listed.removal;
+    if(done.has_value() != are_removed)
+      continue;
+    add_loops(scene, shown.pairs, listed, scene.table.rows.size());
+    const std::string name = std::to_string(listed.pair);
+    if(done)
+      add_row(scene.table, name, *done);
+    else
+      add_row(scene.table, name, *refused);
+    scene.table.numbers.push_back(listed.pair);
+  }
+}
+
+template <typename Neck> void add_necks(htl_scene::Scene& scene, const std::vector<Neck>& necks) {
+  for(const Neck& neck : necks)
+    add_row(scene.table, "neck", neck);
+}
+
+/// a scene with a title, `title` and the name of the mesh's file, and a surface.
+htl_scene::Scene
+scene_of(const std::string& title, const std::string& mesh_file, htl_scene::Surface surface) {
+  const std::filesystem::path path = path_of(mesh_file);
+  htl_scene::Scene scene;
+  scene.title = title + " " + printable(path.filename().string());
+  scene.name = printable(path.stem().string());
+  scene.surfaces.push_back(std::move(surface));
+  return scene;
+}
+
+// What is told of in rows is to be seen, unless it is inside.
+void look(const View& given, htl_scene::Scene& scene) {
+  View view = given;
+  if(!scene.has_bones)
+    for(const htl_scene::Line& line : scene.lines)
+      if(line.row != htl_scene::no_row && scene.groups[line.group].is_in_pictures)
+        view.chosen.push_back(line.points);
+  const auto [from, up] = whole_view(view, scene.surfaces[0]);
+  scene.view = from;
+  scene.up = up;
+}
+
+htl_scene::Scene scene_of_parts(const std::string& title,
+                                const std::string& mesh_file,
+                                Arc_surface cut,
+                                const std::vector<Colour>& tints) {
+  htl_scene::Scene scene = scene_of(title, mesh_file,
+                                    {"surface", std::move(cut.points), std::move(cut.triangles),
+                                     std::move(cut.triangle_arcs), tints});
+  scene.opacity = opacity_around_bones;
+  scene.has_bones = true;
+  return scene;
+}
+
+} // namespace
+
+htl_scene::Scene scene_of_loops(const View& view,
+                                const std::string& mesh_file,
+                                const Mesh& mesh,
+                                const Answer& answer,
+                                const Pair_listing& listing,
+                                const std::string& summary,
+                                const std::string& choice) {
+  htl_scene::Scene scene =
+      scene_of("Handle and tunnel loops of", mesh_file, surface_of("surface", drawn_surface(mesh)));
+  scene.paragraphs = lines_of(summary);
+  scene.unit = words_of(answer.unit).sign;
+  if(answer.throats.are_wanted)
+    add_throats(scene, answer.throats);
+  else {
+    add_pairs(scene, answer.pairs, listing, choice);
+    add_balls(scene, answer.measures, listing);
+  }
+  add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
+  add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene
+scene_of_layers(const View& view, const std::string& mesh_file, const Grown_layers& layers) {
+  htl_scene::Scene scene = scene_of("Layers of", mesh_file, surface_of("surface", layers.surface));
+  std::map<Colour, std::uint32_t> parts; // as they are met
+  for(const Colour& colour : layers.surface.colours) {
+    const auto [part, is_new] = parts.try_emplace(colour, static_cast<std::uint32_t>(parts.size()));
+    if(is_new)
+      scene.surfaces[0].part_colours.push_back(colour);
+    scene.surfaces[0].triangle_parts.push_back(part->second);
+  }
+  if(!layers.fronts.lines.empty())
+    scene.groups = {{"front", layers.fronts.lines.front().colour, 1., true}};
+  for(const Exported_line& line : layers.fronts.lines) {
+    add_line(scene, line.points, line.is_closed, 0);
+    scene.lines.back().label = std::to_string(line.index);
+  }
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene scene_of_reeb_graph(const View& view,
+                                     const std::string& mesh_file,
+                                     const Mesh& mesh,
+                                     const Reeb_answer& answer,
+                                     const std::vector<Listed_arc>& arcs,
+                                     const std::string& summary) {
+  htl_scene::Scene scene =
+      scene_of_parts("Reeb graph of", mesh_file, arc_surface(mesh, answer), tints_of(answer));
+  scene.paragraphs = lines_of(summary);
+  add_arcs(scene, mesh, answer, arcs);
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene scene_of_skeleton(const View& view,
+                                   const std::string& mesh_file,
+                                   const Mesh& mesh,
+                                   const Skeleton_answer& answer,
+                                   const std::string& summary) {
+  Skeleton_surface around = skeleton_surface(mesh, answer);
+  htl_scene::Scene scene =
+      scene_of_parts("Skeleton of", mesh_file, std::move(around.surface), around.colours);
+  scene.paragraphs = lines_of(summary);
+  add_arcs(scene, answer);
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene scene_of_cut(const View& view,
+                              const std::string& mesh_file,
+                              const Mesh& mesh,
+                              const Exported_lines& cut,
+                              const std::string& summary) {
+  htl_scene::Scene scene =
+      scene_of("Cut along edges:", mesh_file, surface_of("surface", drawn_surface(mesh)));
+  scene.paragraphs = lines_of(summary);
+  if(!cut.lines.empty())
+    scene.groups = {{"the cut", cut.lines.front().colour}};
+  for(const Exported_line& line : cut.lines)
+    add_line(scene, line.points, line.is_closed, 0);
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene scene_of_removal(const View& view, const Removal_shown& shown) {
+  htl_scene::Scene scene = scene_of("Handles removed from", shown.mesh_file,
+                                    surface_of("before", drawn_surface(shown.before)));
+  scene.paragraphs = lines_of(summary(shown.report));
+  scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
+  add_groups_of_loops(scene);
+  for(const Table_column& column : removal_columns)
+    scene.table.columns.push_back({column.name, column.is_number});
+  scene.table.columns.push_back({"why not", false});
+  scene.table.choice = "--pairs";
+  add_handles(scene, shown, true);
+  for(htl_scene::Line& line : scene.lines)
+    line.surface = 0; // these loops are on the surface no more
+  add_handles(scene, shown, false);
+  add_necks(scene, shown.report.removed_necks);
+  add_necks(scene, shown.report.refused_necks);
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene scene_of_cleaning(const std::string& mesh_file,
+                                   const Mesh& before,
+                                   const Cleaned_mesh& cleaned,
+                                   const std::string& summary) {
+  htl_scene::Scene scene =
+      scene_of("Cleaned:", mesh_file, surface_of("before", drawn_surface(before)));
+  scene.paragraphs = lines_of(summary);
+  scene.surfaces.push_back(surface_of("after", drawn_surface(cleaned.mesh)));
+  // By fate: kept, replaced, small part, shell; then what is new.
+  const std::vector<Colour> colours = {
+      {204, 212, 222}, {213, 94, 0}, {230, 159, 0}, {86, 180, 233}, {0, 158, 115}};
+  for(htl_scene::Surface& surface : scene.surfaces)
+    surface.part_colours = colours;
+  for(const Face_fate fate : cleaned.fates)
+    scene.surfaces[0].triangle_parts.push_back(static_cast<std::uint32_t>(fate));
+  for(const std::int64_t origin : cleaned.face_parents)
+    scene.surfaces[1].triangle_parts.push_back(origin == nothing_before ? 4 : 0);
+  scene.groups = {{"channels and handles that were closed", {170, 0, 90}}};
+  for(const std::vector<Point>& loop : cleaned.closed_loops)
+    add_line(scene, loop, true, 0);
+  scene.table.columns = {{"step", false}, {"count", true}, {"done", false}, {"left", false}};
+  for(const Clean_record& record : cleaned.records) {
+    scene.table.rows.push_back({name_of(record.step), std::to_string(record.count),
+                                boost::algorithm::join(record.done, "; "),
+                                boost::algorithm::join(record.left, "; ")});
+    scene.table.lengths.push_back(0.);
+  }
+  look({}, scene);
+  return scene;
+}
+
+} // namespace htloops
