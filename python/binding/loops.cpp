@@ -89,7 +89,7 @@ py::bytes page(const py::array& points,
     const htloops::Answer answer = drawn_answer(mesh, std::move(pairs));
     htl_scene::Scene scene = htloops::scene_of_loops(
         {}, title, mesh, answer, htloops::list_pairs(mesh, answer),
-        std::to_string(answer.pairs.size()) + " pairs of loops\n", "pairs =");
+        std::to_string(answer.pairs.size()) + " pairs of loops\n", {"pairs = [", "]"});
     scene.title = "Handle and tunnel loops of " + title; // which is no name of a file
     return htl_window::page_of(scene);
   });

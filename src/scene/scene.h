@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,13 @@ struct Line
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
+/// What the colour of a part of a surface means.
+struct Patch
+{
+  std::string name;
+  Colour colour;
+};
+
 struct Column
 {
   std::string name;
@@ -87,7 +95,12 @@ struct Table
   std::vector<Scale> scales;        ///< or by one of these
   std::vector<std::size_t> parts;   ///< by row: the part of the surface it tells of; or empty
   std::vector<std::size_t> numbers; ///< by row: the number by which it is chosen, of the first ones
-  std::string choice;               ///< what precedes the numbers of the chosen rows: an option
+  /// a command for the chosen rows: what stands before their numbers, and behind them.
+  std::array<std::string, 2> choice;
+  std::string noun = "loop"; ///< what lengths are of
+  std::string empty;         ///< a sentence that says why there are no rows, and what one can do
+  /// by row: the direction from which its lines are seen from outside, if there is one; or empty.
+  std::vector<std::optional<Point>> views;
 };
 
 /// What a page shows.
@@ -99,6 +112,7 @@ struct Scene
   std::vector<Surface> surfaces;       ///< at least one
   std::vector<Line_group> groups;
   std::vector<Line> lines;
+  std::vector<Patch> patches;
   Table table;
   Point view = {0.6, -1., 0.5}; ///< the direction from the surface to the eye, at first
   Point up = {0., 0., 1.};      ///< the direction that is upright, at first

@@ -50,24 +50,33 @@ public:
 
   /// a length in steps of the largest extent, of which no length has more than that.
   std::int32_t steps_of(double length) const {
-    double half = 0.;
-    for(int i = 0; i < 3; ++i)
-      if(low_[i] < high_[i])
-        half = (std::max)(half, high_[i] / 2. - low_[i] / 2.);
+    const Point halves = half_extents();
+    const double half = *std::max_element(halves.begin(), halves.end());
     const double part = half > 0. ? length / 2. / half : 0.;
     return static_cast<std::int32_t>((std::min)(part, 1.) * 65535. + 0.5);
   }
 
   /// the extents, the largest of which is 1 unless all is one point.
   Point size() const {
-    Point half{};
-    for(int i = 0; i < 3; ++i)
-      half[i] = low_[i] < high_[i] ? high_[i] / 2. - low_[i] / 2. : 0.;
+    const Point half = half_extents();
     const double largest = *std::max_element(half.begin(), half.end());
     return largest > 0. ? Point{half[0] / largest, half[1] / largest, half[2] / largest} : half;
   }
 
+  /// the largest extent; infinite if that is beyond all numbers.
+  double extent() const {
+    const Point half = half_extents();
+    return 2. * *std::max_element(half.begin(), half.end());
+  }
+
 private:
+  Point half_extents() const {
+    Point half{};
+    for(int i = 0; i < 3; ++i)
+      half[i] = low_[i] < high_[i] ? high_[i] / 2. - low_[i] / 2. : 0.;
+    return half;
+  }
+
   void add(const std::vector<Point>& points) {
     for(const Point& p : points)
       for(int i = 0; i < 3; ++i) {

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -53,6 +54,10 @@ Json json_of(const Line& line) {
   return json;
 }
 
+Json json_of(const Patch& patch) { return {{"name", patch.name}, {"colour", patch.colour}}; }
+
+Json json_of(const std::optional<Point>& view) { return view ? Json(*view) : Json(); }
+
 Json json_of(const Scale& scale) { return {{"name", scale.name}, {"values", scale.values}}; }
 
 Json json_of(const Column& column) { return {{"name", column.name}, {"number", column.is_number}}; }
@@ -87,6 +92,8 @@ std::string scene_json(const Scene& scene,
       throw std::logic_error("a row of a page has not a cell for each column");
   const Json json = {{"name", scene.name},
                      {"size", grid.size()},
+                     {"extent", grid.extent()},
+                     {"unit", scene.unit},
                      {"view", scene.view},
                      {"up", scene.up},
                      {"opacity", scene.opacity},
@@ -95,13 +102,17 @@ std::string scene_json(const Scene& scene,
                      {"groups", array_of(scene.groups)},
                      {"lines", array_of(scene.lines)},
                      {"lineStreams", lines.lengths},
+                     {"patches", array_of(scene.patches)},
                      {"columns", array_of(table.columns)},
                      {"rows", table.rows},
                      {"lengths", table.lengths},
                      {"scales", array_of(table.scales)},
                      {"parts", table.parts},
                      {"numbers", table.numbers},
-                     {"choice", table.choice}};
+                     {"choice", table.choice},
+                     {"noun", table.noun},
+                     {"empty", table.empty},
+                     {"views", array_of(table.views)}};
   return inside_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

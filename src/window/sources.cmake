@@ -5,18 +5,18 @@ set(HTL_WINDOW_SOURCES
   packing.cpp
   page.cpp)
 
-# htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines and after
-# commas of scripts, and lines of comments, are for who reads them here.
+# htl_embed_page(<output>): the files in page/ as a source. Blanks at the beginning of lines and lines of
+# comments are for who reads them here.
 function(htl_embed_page output)
   set(folder "${CMAKE_CURRENT_FUNCTION_LIST_DIR}")
-  foreach(name IN ITEMS page.html page.css decode.js camera.js shaders.js coarse.js viewer.js page.js)
+  foreach(name IN ITEMS page.html page.css camera.js cells.js decode.js coarse.js openness.js sight.js
+      shaders.js renderer.js viewer.js overlay.js table.js pointers.js page.js start.js)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/page/${name}")
     file(READ "${folder}/page/${name}" text)
     string(REGEX REPLACE "\n +" "\n" text "${text}")
     if(name MATCHES "js$")
       string(REGEX REPLACE "(^|\n)(//[^\n]*\n)+" "\\1" text "${text}")
       string(REGEX REPLACE "\n\n+" "\n" text "${text}")
-      string(REPLACE ", " "," text "${text}")
     endif()
     string(REPLACE "." "_" variable "${name}")
     set(${variable} "${text}")

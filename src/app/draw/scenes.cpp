@@ -136,7 +136,7 @@ void add_scales(htl_scene::Table& table, const Pair_listing& listing) {
 void add_pairs(htl_scene::Scene& scene,
                const Pairs& pairs,
                const Pair_listing& listing,
-               const std::string& choice) {
+               const Choice& choice) {
   const Pair_columns columns(listing);
   for(const Table_column& column : columns_of(columns))
     scene.table.columns.push_back({column.name, column.is_number});
@@ -150,6 +150,17 @@ void add_pairs(htl_scene::Scene& scene,
     add_loops(scene, pairs, listed, row);
   }
   add_scales(scene.table, listing);
+}
+
+std::string why_no_rows(const Answer& answer) {
+  if(answer.throats.are_wanted)
+    return "There are no throats: the surface is nowhere narrower than around.";
+  if(!answer.pairs.empty())
+    return "None of the " + counted(answer.pairs.size(), "pair", "pairs") +
+           " is left by the options that choose some: leave them out to see all.";
+  return "This surface has no handles (its genus is 0), so that there are no handle loops and no "
+         "tunnel loops. Narrow places of it are shown with --throats, its curve skeleton by "
+         "'htloops skeleton'.";
 }
 
 void add_group(htl_scene::Scene& scene,
@@ -296,6 +307,7 @@ htl_scene::Scene scene_of_parts(const std::string& title,
                                      std::move(cut.triangle_arcs), tints});
   scene.opacity = opacity_around_bones;
   scene.has_bones = true;
+  scene.table.noun = "arc";
   return scene;
 }
 
@@ -307,7 +319,7 @@ htl_scene::Scene scene_of_loops(const View& view,
                                 const Answer& answer,
                                 const Pair_listing& listing,
                                 const std::string& summary,
-                                const std::string& choice) {
+                                const Choice& choice) {
   htl_scene::Scene scene =
       scene_of("Handle and tunnel loops of", mesh_file, surface_of("surface", drawn_surface(mesh)));
   scene.paragraphs = lines_of(summary);
@@ -318,6 +330,8 @@ htl_scene::Scene scene_of_loops(const View& view,
     add_pairs(scene, answer.pairs, listing, choice);
     add_balls(scene, answer.measures, listing);
   }
+  if(scene.table.rows.empty())
+    scene.table.empty = why_no_rows(answer);
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
   add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
   look(view, scene);
@@ -397,7 +411,7 @@ htl_scene::Scene scene_of_removal(const View& view, const Removal_shown& shown) 
   for(const Table_column& column : removal_columns)
     scene.table.columns.push_back({column.name, column.is_number});
   scene.table.columns.push_back({"why not", false});
-  scene.table.choice = "--pairs";
+  scene.table.choice = shown.choice;
   add_handles(scene, shown, true);
   for(htl_scene::Line& line : scene.lines)
     line.surface = 0; // these loops are on the surface no more
@@ -428,12 +442,12 @@ htl_scene::Scene scene_of_cleaning(const std::string& mesh_file,
   scene.groups = {{"channels and handles that were closed", {170, 0, 90}}};
   for(const std::vector<Point>& loop : cleaned.closed_loops)
     add_line(scene, loop, true, 0);
+  scene.table.noun = "step";
   scene.table.columns = {{"step", false}, {"count", true}, {"done", false}, {"left", false}};
   for(const Clean_record& record : cleaned.records) {
     scene.table.rows.push_back({name_of(record.step), std::to_string(record.count),
                                 boost::algorithm::join(record.done, "; "),
                                 boost::algorithm::join(record.left, "; ")});
-    scene.table.lengths.push_back(0.);
   }
   look({}, scene);
   return scene;

@@ -22,6 +22,7 @@
 #include "write/pair_listing.h"
 #include "write/tables.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,18 @@ namespace htloops {
 // What is looked at in a page, and in a picture. The file of the mesh names it; a summary is told
 // beside it.
 
+/// What stands before the numbers of chosen pairs, and behind them, so that it is a command.
+using Choice = std::array<std::string, 2>;
+
 /// a mesh with the listed pairs, or the throats if they were asked for, and what was found at its
-/// boundary curves. `choice` is what stands before the numbers of chosen pairs.
+/// boundary curves.
 htl_scene::Scene scene_of_loops(const View& view,
                                 const std::string& mesh_file,
                                 const Mesh& mesh,
                                 const Answer& answer,
                                 const Pair_listing& listing,
                                 const std::string& summary,
-                                const std::string& choice = "--pairs");
+                                const Choice& choice = {"--pairs ", ""});
 
 /// a mesh with its layers at a moment.
 htl_scene::Scene
@@ -70,6 +74,7 @@ htl_scene::Scene scene_of_cut(const View& view,
 struct Removal_shown
 {
   const std::string& mesh_file;
+  const Choice& choice;
   const Mesh& before;
   const Pairs& pairs;
   const Pair_listing& listing; ///< of those that were to be removed

@@ -25,12 +25,7 @@
 #include "commands/loops_options.h"
 #include "terminal/terminal.h"
 
-#include <boost/algorithm/string/replace.hpp>
-
-#include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,16 +53,6 @@ bool has_usual_numbers(const Loops_options& options) {
          (options.backend == "auto" || options.backend == "host");
 }
 
-// A name as a shell takes it.
-std::string quoted(const std::string& file) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::strchr("._/-+=,@%:", c) != nullptr;
-  };
-  if(std::all_of(file.begin(), file.end(), is_plain))
-    return file;
-  return "'" + boost::algorithm::replace_all_copy(file, "'", "'\\''") + "'";
-}
-
 // Whether there is a file that 'htloops remove' can be given.
 bool keeps_numbers(const Loops_options& options) {
   return !options.json_file.empty() && options.json_file != "-";
@@ -91,7 +76,7 @@ htl_scene::Scene scene_of(const Loops_options& options, const Mesh& mesh, const 
   return scene_of_loops(options.view, options.mesh_file, mesh, line.answer, line.listing,
                         words_of_left_out(line) + summary_of(options, line) +
                             remark_on_numbers(options),
-                        choice_of_pairs(options));
+                        command_to_remove(options, choice_of_pairs(options)));
 }
 
 // The layers at a moment; on a page the loops.

@@ -25,12 +25,14 @@
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -265,6 +267,44 @@ void write_read_mesh(const Mesh_options& options, const Mended_mesh& mended) {
     return;
   write_mesh(options.written_mesh_file, mended.mesh, {}, "", mended.facts);
   show_note_on_unit(options, options.written_mesh_file, mended.facts);
+}
+
+std::string quoted(const std::string& file) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("._/-+=,@%:", c) != nullptr;
+  };
+  if(std::all_of(file.begin(), file.end(), is_plain))
+    return file;
+  return "'" + boost::algorithm::replace_all_copy(file, "'", "'\\''") + "'";
+}
+
+std::string words_of_mesh(const Mesh_options& options) {
+  const Remedies& remedies = options.remedies;
+  std::string text = options.mesh_file == "-" ? "MESH" : quoted(options.mesh_file);
+  if(!options.format.empty())
+    text += " --format " + options.format;
+  if(remedies.do_triangulate)
+    text += " --triangulate";
+  if(remedies.do_repair && remedies.steps.all())
+    text += " --repair";
+  else if(remedies.do_repair) {
+    std::vector<std::string> steps;
+    for(std::size_t i = 0; i < number_of_repair_steps; ++i)
+      if(remedies.steps.test(i))
+        steps.emplace_back(name_of(static_cast<Repair_step>(i)));
+    text += " --repair-steps " + boost::algorithm::join(steps, ",");
+  }
+  if(remedies.weld)
+    text += remedies.weld->is_share ? formatted(" --weld %.15g%%", 100. * remedies.weld->value)
+                                    : formatted(" --weld %.17g", remedies.weld->value);
+  return text;
+}
+
+Choice command_to_remove(const Mesh_options& options, const std::string& choice) {
+  const std::filesystem::path mesh = path_of(options.mesh_file);
+  const std::string name = options.mesh_file == "-" ? "mesh" : printable(mesh.stem().string());
+  return {"htloops remove " + words_of_mesh(options) + ' ' + choice + ' ',
+          " -o " + quoted(name + "_without_them.ply")};
 }
 
 bool is_looked_at(const Common_options& options) {

@@ -12,6 +12,7 @@
 
 #include "app/draw/lines.h"
 #include "app/draw/pictures.h"
+#include "app/draw/scenes.h"
 #include "app/draw/view.h"
 #include "app/mend/mesh_reader.h"
 #include "app/mend/near_points.h"
@@ -105,6 +106,15 @@ struct Common_options : Mesh_options
   View view;
   int number_of_threads = 0;
 };
+
+/// a name as a shell takes it.
+std::string quoted(const std::string& file);
+
+/// what 'htloops remove' is told of a mesh: its name, its format, and what is done to it first.
+std::string words_of_mesh(const Mesh_options& options);
+
+/// a command that removes the handles of chosen pairs; `choice` is what precedes their numbers.
+Choice command_to_remove(const Mesh_options& options, const std::string& choice = "--pairs");
 
 /// whether a picture or a page is asked for.
 bool is_looked_at(const Common_options& options);

@@ -134,8 +134,9 @@ void write_files(const Remove_options& options,
   if(!options.gltf_file.empty())
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(is_looked_at(options))
-    show_scene(options, scene_of_removal(options.view, {options.mesh_file, mesh, answer.pairs,
-                                                        told.listing, told.report, removal.mesh}));
+    show_scene(options, scene_of_removal(options.view,
+                                         {options.mesh_file, command_to_remove(options), mesh,
+                                          answer.pairs, told.listing, told.report, removal.mesh}));
 }
 
 // What was asked for, in other words: lengths are often taken for diameters, and the unit for

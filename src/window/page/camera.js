@@ -6,14 +6,34 @@ const scaled = (a, s) => a.map(x => x * s);
 const sum = (a, b) => a.map((x, i) => x + b[i]);
 const difference = (a, b) => a.map((x, i) => x - b[i]);
 const normalized = a => scaled(a, 1 / (Math.hypot(...a) || 1));
+const clamped = (x, low, high) => Math.min(Math.max(x, low), high);
+
+// A direction at a right angle to another one.
+const anyAcross = a => normalized(cross(a, Math.abs(a[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]));
+
+// A direction on the way from one to another.
+function turned(a, b, t) {
+  const angle = Math.acos(clamped(dot(a, b), -1, 1)), aside = difference(b, scaled(a, dot(a, b)));
+  const way = Math.hypot(...aside) > 1e-3 ? normalized(aside) : anyAcross(a);
+  return sum(scaled(a, Math.cos(t * angle)), scaled(way, Math.sin(t * angle)));
+}
+
+// So many directions, spread evenly over the sphere.
+function directions(count) {
+  return Array.from({ length: count }, (_, i) => {
+    const z = 1 - (2 * i + 1) / count, r = Math.sqrt(1 - z * z), angle = i * Math.PI * (3 - Math.sqrt(5));
+    return [r * Math.cos(angle), r * Math.sin(angle), z];
+  });
+}
 
 class Camera {
   static halfAngle = Math.tan(15 * Math.PI / 180); // of view, along the shorter side of the picture
+  static everything = 4; // in front of the place, where nothing is cut away
 
   constructor(view, up) {
     this.home = { view, up, radius: 1 };
     this.aspect = 1;
-    this.reset();
+    this.pose = this.homePose();
   }
 
   // Half the width and half the height of what is seen, at a distance of 1.
@@ -21,12 +41,39 @@ class Camera {
     return [Math.max(1, this.aspect), Math.max(1, 1 / this.aspect)].map(s => s * Camera.halfAngle);
   }
 
-  reset() {
-    this.back = normalized(this.home.view); // from the place to the eye
-    this.right = normalized(cross(this.home.up, this.back));
+  // Where the eye is; `front` is how much is seen in front of the place, the rest is cut away.
+  get pose() {
+    const { back, up, place, distance, front } = this;
+    return { back, up, place, distance, front };
+  }
+
+  set pose({ back, up, place, distance, front }) {
+    const across = cross(up, back);
+    Object.assign(this, { back: normalized(back), place, distance, front });
+    this.right = Math.hypot(...across) > 1e-6 ? normalized(across) : anyAcross(this.back);
     this.up = cross(this.back, this.right);
-    this.place = [0, 0, 0];
-    this.distance = 1.06 * this.home.radius / Camera.halfAngle;
+  }
+
+  get isCutOpen() {
+    return this.front < Camera.everything;
+  }
+
+  homePose() {
+    return this.poseFrom(this.home.view, [0, 0, 0], 1.06 * this.home.radius / Camera.halfAngle);
+  }
+
+  // Upright as far as that can be.
+  poseFrom(view, place, distance, front = Camera.everything) {
+    const back = normalized(view), { up } = this.home;
+    return { back, up: Math.abs(dot(back, normalized(up))) < 0.999 ? up : this.up || anyAcross(back), place, distance, front };
+  }
+
+  // On the way between two poses.
+  static between(from, to, t) {
+    return { back: turned(from.back, to.back, t), up: turned(from.up, to.up, t),
+             place: sum(from.place, scaled(difference(to.place, from.place), t)),
+             distance: from.distance ** (1 - t) * to.distance ** t,
+             front: t < 1 ? from.front ** (1 - t) * to.front ** t : to.front };
   }
 
   // By angles: about the upright axis of the picture, and about the one to the right.
@@ -55,30 +102,29 @@ class Camera {
 
   // What is at (x, y), from -1 to 1, stays there.
   zoom(factor, x = 0, y = 0) {
-    const next = Math.min(Math.max(this.distance * factor, 1e-3), 50);
+    const next = clamped(this.distance * factor, 1e-3, 50);
     const [width, height] = scaled(this.extent, this.distance - next);
     this.place = sum(this.place, sum(scaled(this.right, x * width), scaled(this.up, y * height)));
     this.distance = next;
   }
 
-  lookAt(place, radius) {
-    this.place = place;
-    this.distance = Math.min(Math.max(radius * 2.5, 0.02), 1.05) / Camera.halfAngle;
+  // How far the eye is from a place around which so much is to be seen.
+  static distanceFor(radius) {
+    return clamped(radius * 2.5, 0.012, 1.05) / Camera.halfAngle;
   }
 
-  // Turns about the place, to where the eye is in a direction; upright as far as that can be.
-  lookFrom(back) {
-    const across = cross(this.home.up, back);
-    this.back = back;
-    this.right = normalized(Math.hypot(...across) > 1e-3 ? across : cross(back, this.home.view));
-    this.up = cross(this.back, this.right);
+  // Where the eye is, and the direction in which it sees (x, y), from -1 to 1.
+  ray(x, y) {
+    const [width, height] = this.extent, eye = sum(this.place, scaled(this.back, this.distance));
+    const aside = sum(scaled(this.right, x * width), scaled(this.up, y * height));
+    return { eye, direction: normalized(difference(aside, this.back)) };
   }
 
   // From points to the picture, columns one after the other.
   matrix() {
-    const [width, height] = this.extent;
-    const near = Math.max(this.distance - 1.1 - Math.hypot(...this.place), this.distance * 0.02);
-    const far = this.distance + 1.2 + Math.hypot(...this.place);
+    const [width, height] = this.extent, away = Math.hypot(...this.place);
+    const near = Math.max(this.distance - Math.min(this.front, 1.1 + away), this.distance * 0.02);
+    const far = this.distance + 1.2 + away;
     const eye = sum(this.place, scaled(this.back, this.distance));
     const m = [];
     const depth = (far + near) / (far - near), offset = 2 * far * near / (far - near);

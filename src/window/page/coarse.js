@@ -1,26 +1,38 @@
 // Less of a surface and of lines, for while they move where drawing takes long: the same points, fewer
 // triangles and segments.
 
-const CELL_BITS = 7; // of the number of a cell along each axis
+const ENOUGH = 1e5; // triangles
 
-// Each point goes to the first one in its cell; what becomes a line or a point is left out.
-function coarseTriangles(points, triangles, partOf) {
-  const first = new Int32Array(1 << 3 * CELL_BITS).fill(-1), count = points.length / 4;
-  const shift = 16 - CELL_BITS, home = new Uint32Array(count);
+// As many as are enough: points of finer or of coarser cells become one.
+function coarseTriangles(surface) {
+  let coarse = surface.triangles;
+  for (let bits = 7; coarse.length > 3 * ENOUGH && bits > 4; --bits)
+    coarse = clustered(surface, bits);
+  return coarse;
+}
+
+// Each point goes to the first one in its cell; what becomes a line or a point is left out. `bits` are those
+// of the number of a cell along each axis.
+function clustered({ points, triangles, partOf }, bits) {
+  const first = new Int32Array(1 << 3 * bits).fill(-1), count = points.length / 4;
+  const shift = 16 - bits, home = new Uint32Array(count);
   for (let v = 0; v < count; ++v) {
-    const cell = points[4 * v] >> shift | points[4 * v + 1] >> shift << CELL_BITS |
-                 points[4 * v + 2] >> shift << 2 * CELL_BITS;
+    const cell = points[4 * v] >> shift | points[4 * v + 1] >> shift << bits | points[4 * v + 2] >> shift << 2 * bits;
     if (first[cell] === -1)
       first[cell] = v;
     home[v] = partOf && partOf[first[cell]] !== partOf[v] ? v : first[cell];
   }
-  const kept = [];
+  const kept = new Uint32Array(triangles.length);
+  let end = 0;
   for (let i = 0; i < triangles.length; i += 3) {
     const a = home[triangles[i]], b = home[triangles[i + 1]], c = home[triangles[i + 2]];
-    if (a !== b && b !== c && c !== a)
-      kept.push(a, b, c);
+    if (a !== b && b !== c && c !== a) {
+      kept[end++] = a;
+      kept[end++] = b;
+      kept[end++] = c;
+    }
   }
-  return Uint32Array.from(kept);
+  return kept.slice(0, end);
 }
 
 // Points of a line that are not near each other, and its ends.

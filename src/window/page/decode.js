@@ -164,7 +164,7 @@ function areParallel(u, i, v, j) {
   return squares === 0 || product > 0 && product ** 2 > CREASE ** 2 * squares;
 }
 
-// Adds normals of vertices, of length 127. Those at creases have copies, so that what is flat up to a
+// Adds normals of vertices, of length 127, and how open the sky is. Those at creases have copies, so that what is flat up to a
 // crease looks flat.
 function withNormals({ points, triangles, parts }, size) {
   const ofFaces = faceNormals(points, triangles, size);
@@ -182,6 +182,7 @@ function withNormals({ points, triangles, parts }, size) {
     const length = Math.hypot(sums[3 * v], sums[3 * v + 1], sums[3 * v + 2]) || 1;
     for (let i = 0; i < 3; ++i)
       normals[4 * v + i] = Math.round(127 * sums[3 * v + i] / length);
+    normals[4 * v + 3] = 127; // as open as can be
   }
   return { points: all, triangles, normals, parts };
 }
@@ -203,6 +204,8 @@ async function loadSurface(surface, id, size) {
   turnOutwards(coded);
   const creased = withNormals(coded, size);
   const loaded = surface.parts ? splitByParts(creased) : creased;
+  sortIntoCells(loaded);
+  loaded.coarse = coarseTriangles(loaded);
   return { ...surface, ...loaded, radius: farthest(loaded.points, size) };
 }
 

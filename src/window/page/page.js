@@ -1,192 +1,213 @@
-// The table beside the surface, and what the mouse, fingers and keys do.
+// The page: what is shown of the scene, and the switches.
 
-const scene = JSON.parse(document.getElementById('scene').textContent);
-const element = id => document.getElementById(id);
-
-function made(tag, properties = {}, ...children) {
-  const node = Object.assign(document.createElement(tag), properties);
-  node.append(...children);
-  return node;
-}
-
-// A place is sorted by its first coordinate, a box by its largest extent, words as such.
-function sizeIn(text) {
-  const numbers = (/^\(?-?\d/.test(text) && text.match(/-?\d[\d.]*(e[+-]?\d+)?/g) || [0]).map(Number);
-  return text.includes('\u00d7') ? Math.max(...numbers) : numbers[0];
-}
-
-// From red, for the smallest, over yellow to blue.
-function tint(part) {
-  const stops = [[190, 20, 40], [235, 180, 40], [40, 90, 190]], at = 2 * part, i = Math.min(1, Math.floor(at));
-  return stops[i].map((c, k) => Math.round(c + (at - i) * (stops[i + 1][k] - c)));
-}
+const scene = JSON.parse(element('scene').textContent);
 
 class Page {
   constructor(viewer) {
     this.viewer = viewer;
-    this.canvas = viewer.canvas;
-    this.rows = scene.rows.map((cells, index) => ({ cells, index, lines: [], chosen: false }));
-    scene.lines.forEach((line, i) => this.rows[line.row]?.lines.push(i));
-    this.groupsShown = scene.groups.map(() => true);
     this.lit = -1;
-    this.scales = [{ name: 'length', values: scene.lengths }, ...scene.scales];
-    this.isColoured = false;
-    this.choose(0);
-    this.makeTable();
-    this.makeControls();
-    this.listenToPointers();
-    this.listenToKeys();
-    new ResizeObserver(() => viewer.draw()).observe(this.canvas);
+    this.groupsShown = scene.groups.map(() => true);
+    this.overlay = new Overlay(viewer, scene);
+    this.table = new Table(scene, (...row) => this.light(...row), () => this.refresh());
+    this.makeTexts();
+    this.makeLegend();
+    this.makeFilters();
+    this.makeSwitches();
+    this.makeSaving();
+    this.pointers = new Pointers(this);
+    viewer.listeners.push(() => this.refreshTools());
+    new ResizeObserver(() => viewer.draw()).observe(viewer.canvas);
+    matchMedia('(prefers-color-scheme: dark)').onchange = () => this.takeTheme();
+    this.takeTheme();
     this.refresh();
+  }
+
+  takeTheme() {
+    const colour = getComputedStyle(this.viewer.canvas.parentElement).backgroundColor;
+    this.viewer.background = colour.match(/[\d.]+/g).slice(0, 3).map(x => x / 255);
+    this.viewer.draw();
+  }
+
+  makeTexts() {
+    const about = element('about'), first = about.querySelector('p');
+    about.querySelector('summary').textContent = first ? first.textContent : '';
+    about.hidden = !first;
+    first?.remove();
+    element('empty').textContent = scene.empty;
+    element('empty').hidden = scene.empty === '';
+    const isTouched = matchMedia('(pointer: coarse)').matches;
+    element('hint').textContent = isTouched ? 'drag: turn \u00b7 two fingers: move, zoom, roll \u00b7 tap: which loop \u00b7 tap twice: turn about it'
+      : 'drag: turn \u00b7 shift or right button: move \u00b7 wheel: zoom \u00b7 double click: turn about it';
+    const example = scene.columns.find(column => column.number && column !== scene.columns[0]);
+    element('search').placeholder = example ? `search, or for example ${example.name} < 2` : 'search';
   }
 
   // ---- what is shown
 
-  // By what rows are hidden. What is not known is shown as long as all is.
-  choose(number) {
-    this.values = this.scales[number].values;
-    this.lengths = [...new Set(this.values.filter(v => v !== null))].sort((a, b) => a - b);
-    this.range = [0, this.lengths.length - 1];
-  }
-
-  isShown(row) {
-    const value = this.values[row.index], [first, last] = this.range;
-    if (value === null)
-      return first === 0 && last === this.lengths.length - 1;
-    return value >= this.lengths[first] && value <= this.lengths[last];
-  }
-
-  // Evenly over the values that there are; grey where none is known.
-  colourOf(row) {
-    const value = this.values[row.index], last = Math.max(1, this.lengths.length - 1);
-    return value === null ? [140, 140, 140] : tint(this.lengths.indexOf(value) / last);
-  }
-
   refresh() {
+    const { viewer, table } = this;
+    table.refresh(this.lit);
     let count = 0;
-    const colours = scene.lines.map((line, i) => {
-      const row = this.rows[line.row];
-      const shown = this.groupsShown[line.group] && (!row || this.isShown(row)) &&
-                    (line.surface ?? this.viewer.shown) === this.viewer.shown;
+    const colours = scene.lines.map(line => {
+      const row = table.rows[line.row];
+      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden || row.index === this.lit) &&
+                    (line.surface ?? viewer.shown) === viewer.shown;
       count += shown ? 1 : 0;
       const state = !shown ? 0 : row && row.index === this.lit ? 255 : 128;
-      const own = line.colour || scene.groups[line.group].colour;
-      return [...(this.isColoured && row ? this.colourOf(row) : own), state];
+      return [...(table.isColoured && row ? table.colourOf(row) : scene.groups[line.group].colour), state];
     });
-    this.viewer.numberShown = count;
-    this.viewer.isAnyLit = this.lit >= 0;
-    this.viewer.fill(this.viewer.lines.palette, colours);
-    this.viewer.surfaces.forEach((surface, i) => {
-      const parts = scene.surfaces[i].parts || [scene.surfaces[i].colour];
-      const lit = scene.parts[this.lit];
-      this.viewer.fill(surface.palette, parts.map((colour, part) => [
-        ...(lit !== undefined && part !== lit ? colour.map(c => 150 + c / 3) : colour), 255]));
-    });
-    for (const row of this.rows) {
-      row.node.hidden = !this.isShown(row);
-      row.node.classList.toggle('lit', row.index === this.lit);
-      row.node.setAttribute('aria-selected', row.index === this.lit);
-    }
+    viewer.numberShown = count;
+    viewer.isAnyLit = this.lit >= 0;
+    viewer.fillLines(colours);
+    viewer.surfaces.forEach((_, i) => this.refreshParts(i));
+    this.refreshCard();
     this.refreshChoice();
   }
 
+  // All parts but that of the lit row are pale.
+  refreshParts(number) {
+    const { parts, colour } = scene.surfaces[number], lit = scene.parts[this.lit];
+    this.viewer.fillParts(number, (parts || [colour]).map((own, part) => [
+      ...(parts && lit !== undefined && part !== lit ? own.map(c => 150 + c / 3) : own), 255]));
+  }
+
+  refreshCard() {
+    const row = this.table.rows[this.lit], card = element('card');
+    card.hidden = !row;
+    if (!row)
+      return;
+    const [[name, cell], ...others] = this.table.namesAndCells(row), list = made('dl');
+    others.forEach(([term, text]) => list.append(made('dt', { textContent: term }), made('dd', { textContent: text })));
+    const button = (text, label, by) => {
+      const node = made('button', { type: 'button', textContent: text, title: label, onclick: () => this.step(by) });
+      node.setAttribute('aria-label', label);
+      return node;
+    };
+    card.replaceChildren(made('h2', { textContent: `${name} ${cell}` }), list,
+                         made('div', {}, button('\u2039', 'the one before (p)', -1), button('\u203a', 'the next one (n)', 1)));
+  }
+
   refreshChoice() {
-    const { rows } = this, chosen = rows.filter(row => row.chosen);
-    const hidden = chosen.filter(row => row.node.hidden).length;
+    const { rows, chosen } = this.table, hidden = chosen.filter(row => row.node.hidden).length;
     element('count').textContent = !rows.length ? ''
-      : `${rows.filter(row => !row.node.hidden).length} of ${rows.length} shown` +
+      : `${this.table.shown.length} of ${rows.length} shown` +
         (hidden ? `; ${hidden} of ${chosen.length} chosen are hidden` : '');
-    element('choice').value =
-      chosen.length ? `${scene.choice} ${chosen.map(row => scene.numbers[row.index]).join(',')}` : '';
-    element('choice').hidden = element('copy').hidden = element('clear').hidden = scene.numbers.length === 0;
+    const numbers = chosen.map(row => scene.numbers[row.index]);
+    element('choice').value = chosen.length ? scene.choice[0] + numbers.join(',') + scene.choice[1] : '';
+    element('command').hidden = scene.numbers.length === 0;
     element('copy').disabled = element('clear').disabled = chosen.length === 0;
     if (window.parent !== window) // a page around this one may do something with them
-      window.parent.postMessage({ chosen: chosen.map(row => scene.numbers[row.index]) }, '*');
+      window.parent.postMessage({ chosen: numbers }, '*');
   }
 
-  // Lights a row and its lines, and brings them to the middle if that is wanted.
-  light(index, isCentred) {
+  refreshTools() {
+    element('back').disabled = !this.viewer.canGoBack;
+    element('open').checked = this.viewer.camera.isCutOpen;
+    element('open').disabled = this.lit < 0;
+  }
+
+  // Lights a row and its lines, and flies there if that is wanted.
+  light(index, isLookedAt) {
     this.lit = index;
-    const row = this.rows[index];
-    if (row) {
-      if (isCentred)
-        this.centre(row);
-      row.node.hidden = false;
-      row.node.scrollIntoView({ block: 'nearest' });
-    }
+    const row = this.table.rows[index];
     this.refresh();
-  }
-
-  centre(row) {
-    const places = row.lines.flatMap(i => {
-      const { first, last } = scene.lines[i];
-      return Array.from({ length: last - first + 1 }, (_, k) => this.viewer.pointOfLine(first + k));
-    });
-    if (places.length === 0)
+    if (!row)
       return;
-    const low = [0, 1, 2].map(i => places.reduce((m, p) => Math.min(m, p[i]), Infinity));
-    const high = [0, 1, 2].map(i => places.reduce((m, p) => Math.max(m, p[i]), -Infinity));
-    this.viewer.lookAt(row.lines, scaled(sum(low, high), .5), Math.hypot(...difference(high, low)) / 2);
+    const lines = row.lines.map(i => scene.lines[i]);
+    this.viewer.normalOfLoop = lines.length > 0 ? normalOf(this.viewer.pointsOfLine(lines[0])) : null;
+    if (isLookedAt)
+      this.viewer.lookAt(lines, scene.views[index]);
+    row.node.hidden = false;
+    row.node.scrollIntoView({ block: 'nearest' });
   }
 
   step(by) {
-    const shown = [...element('rows').children].filter(node => !node.hidden);
+    const { shown } = this.table, at = shown.findIndex(row => row.index === this.lit);
     if (shown.length === 0)
       return;
-    const at = shown.findIndex(node => node.row.index === this.lit);
     const next = at < 0 ? (by > 0 ? 0 : shown.length - 1) : (at + by + shown.length) % shown.length;
-    this.light(shown[next].row.index, true);
+    this.light(shown[next].index, true);
   }
 
-  // ---- the table
+  // ---- what is done
 
-  makeTable() {
-    const head = element('head'), body = element('rows');
-    head.append(made('th'));
-    scene.columns.forEach((column, i) => {
-      const button = made('button', { type: 'button', textContent: column.name, title: 'sort by it' });
-      button.onclick = () => this.sort(i);
-      head.append(made('th', { className: column.number ? 'n' : '' }, button));
+  click(x, y) {
+    if (element('measure').getAttribute('aria-pressed') === 'true')
+      return this.measure(x, y);
+    const line = this.viewer.pick(x, y);
+    this.light(line < 0 ? -1 : scene.lines[line].row ?? -1, false);
+  }
+
+  measure(x, y) {
+    const place = this.viewer.placeAt(x, y), { ends } = this.overlay;
+    if (!place)
+      return;
+    this.overlay.ends = ends.length === 1 ? [...ends, place] : [place];
+    const length = this.overlay.lengthMeasured;
+    this.say(length === null ? 'Now the other end.' : `${this.overlay.wordsOf(length)} between these points`);
+    this.overlay.draw();
+  }
+
+  showTip(line, x, y) {
+    const tip = element('tip'), row = this.table.rows[scene.lines[line]?.row];
+    tip.hidden = line < 0;
+    if (line < 0)
+      return;
+    tip.textContent = row ? this.table.namesAndCells(row).filter((_, i) => i < 6).map(pair => pair.join(' ')).join('\n')
+                          : scene.groups[scene.lines[line].group].name;
+    const { clientWidth, clientHeight } = this.viewer.canvas;
+    Object.assign(tip.style, {
+      left: `${Math.min(x + 14, clientWidth - tip.offsetWidth - 6)}px`,
+      top: `${Math.min(y + 14, clientHeight - tip.offsetHeight - 6)}px`,
     });
-    for (const row of this.rows) {
-      const box = made('input', { type: 'checkbox', title: 'choose', hidden: !(row.index in scene.numbers) });
-      box.onclick = event => event.stopPropagation();
-      box.onchange = () => {
-        row.chosen = box.checked;
-        this.refreshChoice();
-      };
-      row.box = box;
-      row.node = made('tr', { row, tabIndex: 0 }, made('td', {}, box));
-      row.cells.forEach((cell, i) => row.node.append(
-        made('td', { className: scene.columns[i].number ? 'n' : '', textContent: cell })));
-      row.node.onclick = () => this.light(row.index, true);
-      row.node.onkeydown = event => {
-        if (event.key === 'Enter')
-          this.light(row.index, true);
-      };
-      body.append(row.node);
-    }
-    element('table').hidden = this.rows.length === 0;
   }
 
-  sort(column) {
-    this.descending = this.sorted === column && !this.descending;
-    this.sorted = column;
-    const sign = this.descending ? -1 : 1, { number } = scene.columns[column];
-    const value = row => number ? parseFloat(row.cells[column]) || 0 : sizeIn(row.cells[column]);
-    const order = (a, b) => value(a) - value(b) || a.cells[column].localeCompare(b.cells[column]);
-    const rows = [...this.rows].sort((a, b) => sign * order(a, b) || a.index - b.index);
-    element('rows').append(...rows.map(row => row.node));
-    [...element('head').children].forEach((node, i) => node.setAttribute(
-      'aria-sort', i !== column + 1 ? 'none' : this.descending ? 'descending' : 'ascending'));
+  say(text, isBad = false) {
+    element('message').textContent = text;
+    element('message').classList.toggle('bad', isBad);
   }
 
-  // ---- the controls
+  closeMenus() {
+    document.querySelectorAll('.menu[open]').forEach(menu => { menu.open = false; });
+  }
 
-  makeControls() {
-    const { viewer } = this;
+  // One thing after the other: an open menu, measuring, where one flew to, the lit row.
+  escape() {
+    if (document.querySelector('.menu[open]'))
+      this.closeMenus();
+    else if (element('measure').getAttribute('aria-pressed') === 'true')
+      element('measure').click();
+    else if (this.viewer.canGoBack)
+      this.viewer.goBack();
+    else
+      this.light(-1, false);
+  }
+
+  // All but what was lit and chosen.
+  reset() {
+    const { viewer, table } = this, { shown } = viewer;
+    viewer.setDefaults(scene);
+    viewer.shown = shown;
+    viewer.camera.home.up = scene.up;
+    this.groupsShown.fill(true);
+    document.querySelectorAll('#legend input[type=checkbox]').forEach(box => { box.checked = true; });
+    Object.assign(table, { search: '', isColoured: false });
+    Object.assign(element('search'), { value: '' });
+    Object.assign(element('scale'), { selectedIndex: 0 });
+    table.chooseScale(0);
+    this.refreshFilters();
+    this.refreshSwitches();
+    this.refresh();
+    viewer.goHome();
+  }
+
+  // ---- controls
+
+  makeLegend() {
+    const legend = element('legend'), { viewer } = this;
     scene.groups.forEach((group, i) => {
-      if (!scene.lines.some(line => line.group === i))
+      const count = scene.lines.filter(line => line.group === i).length;
+      if (count === 0)
         return;
       const box = made('input', { type: 'checkbox', checked: true, id: `group${i}` });
       box.onchange = () => {
@@ -195,16 +216,13 @@ class Page {
       };
       const mark = made('span', { className: 'mark' });
       mark.style.background = `rgb(${group.colour})`;
-      element('legend').append(made('label', {}, box, mark, group.name));
+      legend.append(made('label', {}, box, mark, group.name));
     });
-    if (scene.lines.some(line => line.radii)) {
-      const box = made('input', { type: 'checkbox', id: 'thick' });
-      box.onchange = () => {
-        viewer.isThick = box.checked;
-        viewer.draw();
-      };
-      element('legend').append(made('label', {}, box, 'as thick as the solid'));
-    }
+    (scene.patches || []).forEach(({ name, colour }) => {
+      const mark = made('span', { className: 'mark patch' });
+      mark.style.background = `rgb(${colour})`;
+      legend.append(made('label', {}, mark, name));
+    });
     if (scene.surfaces.length > 1)
       scene.surfaces.forEach((surface, i) => {
         const radio = made('input', { type: 'radio', name: 'surface', checked: i === 0, id: `show${i}` });
@@ -212,99 +230,198 @@ class Page {
           viewer.shown = i;
           this.refresh();
         };
-        element('legend').append(made('label', {}, radio, surface.name));
+        legend.append(made('label', {}, radio, surface.name));
       });
-    const slider = (id, action) => {
-      element(id).oninput = () => action(Number(element(id).value));
+  }
+
+  makeFilters() {
+    const { table } = this, choice = element('scale'), colours = element('colours').querySelector('input');
+    choice.append(...table.scales.map(({ name }, i) => made('option', { value: i, textContent: name })));
+    choice.onchange = () => {
+      table.chooseScale(Number(choice.value));
+      this.refreshFilters();
+      this.refresh();
     };
-    element('opacity').value = 100 * viewer.opacity;
-    slider('opacity', value => {
-      viewer.opacity = value / 100;
-      viewer.draw();
-    });
-    slider('cut', value => {
-      viewer.cut.part = value / 1000;
-      viewer.draw();
-    });
-    element('axis').onchange = () => {
-      viewer.cut.axis = Number(element('axis').value) % 4;
-      viewer.cut.flipped = element('axis').value >= 4;
-      viewer.draw();
+    colours.onchange = () => {
+      table.isColoured = colours.checked;
+      this.refreshFilters();
+      this.refresh();
     };
-    this.makeScales();
-    this.makeBalls();
-    this.makeRange();
+    element('search').oninput = () => {
+      table.search = element('search').value;
+      this.refresh();
+    };
+    ['shortest', 'longest'].forEach((id, i) => {
+      element(id).oninput = () => this.setRange(i, Number(element(id).value));
+      element(`${id}-value`).onchange = event => {
+        const value = Number(event.target.value), { steps } = table;
+        const step = i === 0 ? steps.findIndex(x => x >= value) : steps.filter(x => x <= value).length - 1;
+        this.setRange(i, event.target.value === '' ? i * (steps.length - 1) : step < 0 ? (1 - i) * (steps.length - 1) : step);
+      };
+    });
+    element('filters').hidden = table.rows.length === 0;
+    this.refreshFilters();
+  }
+
+  setRange(end, step) {
+    const { range } = this.table;
+    range[end] = step;
+    if (range[0] > range[1])
+      range[1 - end] = step;
+    this.refreshFilters();
+    this.refresh();
+  }
+
+  refreshFilters() {
+    const { steps, range, scale, isColoured } = this.table, last = steps.length - 1;
+    const words2 = scale.name === 'length' ? ['shortest', 'longest'] : ['smallest', 'largest'];
+    const what = scale.name === 'length' ? scene.noun : scale.name;
+    ['shortest', 'longest'].forEach((id, i) => {
+      element(`${id}-words`).textContent = `${words2[i]} ${what} shown`;
+      Object.assign(element(id), { min: 0, max: Math.max(0, last), value: range[i], disabled: last < 1 });
+      Object.assign(element(`${id}-value`), { value: last < 0 ? '' : Number(steps[range[i]].toPrecision(5)), disabled: last < 1 });
+      element(`${id}-value`).setAttribute('aria-label', `${words2[i]} ${what} shown`);
+    });
+    element('colours').querySelector('input').checked = isColoured;
+    const gradient = element('gradient');
+    gradient.hidden = !isColoured || last < 0;
+    if (!gradient.hidden)
+      [gradient.firstElementChild.textContent, gradient.lastElementChild.textContent] = [steps[0], steps[last]].map(words);
+  }
+
+  makeSwitches() {
+    const { viewer } = this, change = (id, action, event = 'onchange') => {
+      element(id)[event] = () => {
+        action(element(id));
+        this.refreshSwitches();
+        viewer.draw();
+      };
+    };
+    change('opacity', node => { viewer.opacity = node.value / 100; }, 'oninput');
+    change('cut', node => { viewer.cut.part = node.value / 1000; }, 'oninput');
+    change('axis', node => { viewer.cut.direction = node.value; });
+    change('wire', node => { viewer.isWired = node.checked; });
+    change('thick', node => { viewer.isThick = node.checked; });
+    change('open', node => { viewer.camera.front = node.checked ? this.frontOfLit() : Camera.everything; });
+    change('up', node => {
+      const sign = node.value[0] === '-' ? -1 : 1;
+      viewer.camera.home.up = node.value ? [...'xyz'].map(axis => node.value.endsWith(axis) ? sign : 0) : scene.up;
+      viewer.flyTo(viewer.camera.poseFrom(viewer.camera.back, viewer.camera.place, viewer.camera.distance, viewer.camera.front));
+    });
     element('reset').onclick = () => this.reset();
-    element('save').onclick = () => this.save();
+    element('back').onclick = () => viewer.goBack();
+    element('measure').onclick = () => this.toggleMeasuring();
+    this.makeButtons();
+    this.makeBalls();
+    element('thickness').hidden = !scene.lines.some(line => line.radii);
+    this.refreshSwitches();
+  }
+
+  makeButtons() {
+    const toggle = (id, name, attribute) => {
+      element(id).onclick = () => {
+        const isOn = document.body.classList.toggle(name);
+        element(id).setAttribute(attribute, attribute === 'aria-expanded' && id === 'panel' ? !isOn : isOn);
+        this.viewer.draw();
+      };
+    };
+    toggle('panel', 'alone', 'aria-expanded');
+    toggle('sheet', 'open', 'aria-expanded');
+    toggle('wide', 'wide', 'aria-pressed');
+    element('full').hidden = !document.fullscreenEnabled;
+    element('full').onclick = () => {
+      if (document.fullscreenElement)
+        document.exitFullscreen();
+      else
+        document.documentElement.requestFullscreen().catch(() => this.say('This browser does not let a page fill the screen.', true));
+    };
     element('copy').onclick = () => this.copy();
     element('clear').onclick = () => {
-      for (const row of this.rows)
+      for (const row of this.table.rows)
         row.chosen = row.box.checked = false;
       this.refreshChoice();
     };
+    document.querySelectorAll('.menu').forEach(menu => {
+      menu.ontoggle = () => document.querySelectorAll('.menu[open]').forEach(other => {
+        other.open = other === menu || !menu.open;
+      });
+    });
   }
 
-  makeScales() {
-    const choice = element('scale'), box = element('colours').querySelector('input');
-    choice.append(...this.scales.map(({ name }, i) => made('option', { value: i, textContent: name })));
-    choice.onchange = () => {
-      this.choose(Number(choice.value));
-      this.makeRange();
-      this.refresh();
-    };
-    box.onchange = () => {
-      this.isColoured = box.checked;
-      this.refresh();
-    };
-    for (const node of [choice.previousElementSibling, choice, element('colours')])
-      node.hidden = this.scales.length < 2;
+  refreshSwitches() {
+    const { viewer } = this;
+    element('opacity').value = 100 * viewer.opacity;
+    element('opacity').nextElementSibling.textContent = `${Math.round(100 * viewer.opacity)}%`;
+    element('cut').value = 1000 * viewer.cut.part;
+    element('cut').nextElementSibling.textContent = viewer.cut.part >= 1 ? 'all' : `${Math.round(100 * viewer.cut.part)}%`;
+    element('axis').value = viewer.cut.direction;
+    element('wire').checked = viewer.isWired;
+    element('thick').checked = viewer.isThick;
+    if (viewer.camera.home.up === scene.up)
+      element('up').value = '';
+  }
+
+  // What of the space before the lit lines stays.
+  frontOfLit() {
+    const places = this.table.rows[this.lit].lines.flatMap(i => this.viewer.pointsOfLine(scene.lines[i]));
+    const { camera } = this.viewer, nearest = places.reduce((most, p) => Math.max(most, dot(difference(p, camera.place), camera.back)), 0);
+    return Math.max(nearest * 1.1, 1e-3);
+  }
+
+  toggleMeasuring() {
+    const button = element('measure'), isOn = button.getAttribute('aria-pressed') !== 'true';
+    button.setAttribute('aria-pressed', isOn);
+    this.viewer.canvas.parentElement.classList.toggle('measuring', isOn);
+    this.overlay.ends = [];
+    this.say(isOn ? 'Click two points of the surface.' : '');
+    this.overlay.draw();
   }
 
   // Lines that have a way are moved along it, from its first point.
   makeBalls() {
     const { viewer } = this, balls = scene.lines.filter(line => line.way !== undefined);
-    const home = balls.length > 0 ? viewer.lines.points.slice() : null;
+    const home = balls.length > 0 ? viewer.linePoints.slice() : null;
     document.querySelectorAll('.ball').forEach(node => { node.hidden = balls.length === 0; });
     element('ball').oninput = () => {
       const part = Number(element('ball').value) / 1000;
       for (const ball of balls)
-        viewer.shiftLine(ball, home, placeOn(home, scene.lines[ball.way], part, viewer.scale));
+        viewer.shiftLine(ball, home, placeOn(home, scene.lines[ball.way], part, viewer.placing.scale));
       viewer.refillLines();
     };
   }
 
-  makeRange() {
-    const last = this.lengths.length - 1, ends = ['shortest', 'longest'].map(element);
-    const show = () => ends.forEach((end, i) => {
-      element(`${end.id}-value`).textContent = last < 0 ? '' : Number(this.lengths[this.range[i]]).toPrecision(4);
+  // ---- what leaves the page
+
+  makeSaving() {
+    const { canvas } = this.viewer, ratio = window.devicePixelRatio || 1, sides = ['width', 'height'].map(element);
+    element('save').closest('.menu').addEventListener('toggle', () => {
+      if (!sides[0].value)
+        [sides[0].value, sides[1].value] = [canvas.clientWidth, canvas.clientHeight].map(x => Math.round(x * ratio));
     });
-    element('range').hidden = last < 1 && this.scales.length < 2;
-    ends.forEach((end, i) => {
-      Object.assign(end, { min: 0, max: last, value: this.range[i] });
-      end.oninput = () => {
-        this.range[i] = Number(end.value);
-        if (this.range[0] > this.range[1])
-          ends[1 - i].value = this.range[1 - i] = this.range[i];
-        show();
-        this.refresh();
-      };
-    });
-    show();
+    element('save').onclick = () => this.save();
   }
 
-  reset() {
-    this.viewer.camera.reset();
-    this.light(-1, false);
-  }
-
-  // The picture is taken in the moment in which it is drawn: later it is gone.
+  // As large as the picture on the page, if nothing else was asked for.
   save() {
-    this.viewer.drawNow();
-    this.canvas.toBlob(blob => {
+    const { viewer } = this, { renderer } = viewer, ratio = window.devicePixelRatio || 1;
+    if (!viewer.isReady)
+      return this.say('There is no picture to save.', true);
+    const [width, height] = ['width', 'height'].map((id, i) =>
+      clamped(Math.round(Number(element(id).value) || [viewer.canvas.clientWidth, viewer.canvas.clientHeight][i] * ratio), 16, renderer.largestSide));
+    const { aspect } = viewer.camera, drawn = made('canvas', { width, height });
+    viewer.camera.aspect = width / height;
+    const image = renderer.image(viewer, width, height, element('clear-background').checked ? [0, 0, 0, 0] : [...viewer.background, 1]);
+    viewer.camera.aspect = aspect;
+    viewer.draw();
+    drawn.getContext('2d').putImageData(image, 0, 0);
+    drawn.toBlob(blob => {
+      if (!blob)
+        return this.say('This browser cannot make a picture of that size.', true);
       const link = made('a', { href: URL.createObjectURL(blob), download: `${scene.name}.png` });
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 1000);
     });
+    this.closeMenus();
   }
 
   copy() {
@@ -314,107 +431,10 @@ class Page {
     else
       document.execCommand('copy');
   }
-
-  // ---- pointers and keys
-
-  listenToPointers() {
-    const { canvas, viewer } = this, { camera } = viewer, pointers = new Map();
-    let moved = 0;
-    const at = event => [event.offsetX, event.offsetY];
-    canvas.onpointerdown = event => {
-      canvas.setPointerCapture(event.pointerId);
-      pointers.set(event.pointerId, at(event));
-      moved = pointers.size > 1 ? Infinity : 0;
-      canvas.focus({ preventScroll: true });
-    };
-    canvas.onpointermove = event => {
-      const before = pointers.get(event.pointerId);
-      if (!before)
-        return;
-      const now = at(event), [dx, dy] = [now[0] - before[0], now[1] - before[1]];
-      moved += Math.hypot(dx, dy);
-      const height = canvas.clientHeight;
-      const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-      pointers.set(event.pointerId, now);
-      if (other) {
-        const [u, v] = [difference(before, other), difference(now, other)];
-        camera.zoom(Math.hypot(...u) / Math.max(Math.hypot(...v), 1));
-        camera.roll(Math.atan2(v[1], v[0]) - Math.atan2(u[1], u[0]));
-        camera.pan(dx / 2 / height, -dy / 2 / height);
-      } else if (event.shiftKey || event.buttons & 6) {
-        camera.pan(dx / height, -dy / height);
-      } else {
-        camera.turn(dx / height * 4, dy / height * 4);
-      }
-      viewer.move();
-    };
-    canvas.onpointerup = event => {
-      pointers.delete(event.pointerId);
-      if (moved < 5 && event.button === 0)
-        this.click(...at(event));
-    };
-    canvas.onpointercancel = event => pointers.delete(event.pointerId);
-    canvas.oncontextmenu = event => event.preventDefault();
-    canvas.addEventListener('wheel', event => {
-      event.preventDefault();
-      const lines = event.deltaMode ? 30 : 1, [x, y] = at(event);
-      camera.zoom(Math.exp(Math.max(-200, Math.min(200, event.deltaY * lines)) / 500),
-                  2 * x / canvas.clientWidth - 1, 1 - 2 * y / canvas.clientHeight);
-      viewer.move();
-    }, { passive: false });
-  }
-
-  click(x, y) {
-    const line = this.viewer.pick(x, y);
-    this.light(line < 0 ? -1 : scene.lines[line].row, false);
-  }
-
-  listenToKeys() {
-    const { camera } = this.viewer;
-    const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-    const actions = {
-      '+': () => camera.zoom(0.85), '=': () => camera.zoom(0.85), '-': () => camera.zoom(1 / 0.85),
-      '0': () => this.reset(), Home: () => this.reset(), Escape: () => this.light(-1, false),
-      n: () => this.step(1), p: () => this.step(-1), s: () => this.save(),
-      ',': () => camera.roll(0.1), '.': () => camera.roll(-0.1),
-    };
-    document.addEventListener('keydown', event => {
-      const arrow = arrows[event.key], kind = event.target.type || '';
-      if (event.ctrlKey || event.metaKey || event.altKey || /text|select/.test(kind) ||
-          arrow && /range|radio/.test(kind))
-        return;
-      if (arrow && event.shiftKey)
-        camera.pan(arrow[0] * 0.05, -arrow[1] * 0.05);
-      else if (arrow)
-        camera.turn(arrow[0] * 0.1, arrow[1] * 0.1);
-      else if (actions[event.key])
-        actions[event.key]();
-      else
-        return;
-      event.preventDefault();
-      this.viewer.move();
-    });
-  }
 }
 
-async function start() {
-  const began = performance.now();
-  const viewer = new Viewer(element('canvas'), scene);
-  viewer.setLines(await loadLines(scene));
-  const surfaces = [];
-  for (const [i, surface] of scene.surfaces.entries())
-    surfaces.push(await loadSurface(surface, `surface${i}`, viewer.size));
-  surfaces.forEach(surface => viewer.addSurface(surface));
-  viewer.camera.home.radius = Math.max(...surfaces.map(surface => surface.radius), 1e-3);
-  viewer.camera.reset();
-  const page = new Page(viewer);
-  viewer.drawNow();
-  window.htloops = { page, viewer, scene, loadMilliseconds: performance.now() - began };
-  document.body.classList.add('ready');
+// Of a closed line that is about flat, by Newell.
+function normalOf(points) {
+  const area = points.reduce((all, p, i) => sum(all, cross(p, points[(i + 1) % points.length])), [0, 0, 0]);
+  return Math.hypot(...area) > 0 ? normalized(area) : null;
 }
-
-start().catch(error => {
-  element('message').textContent = `The surface cannot be drawn here: ${error.message}`;
-  element('message').hidden = false;
-  throw error;
-});

@@ -14,31 +14,40 @@ vec4 entry(sampler2D palette, uint i) {
 `;
 
 const SURFACE_VERTEX = COMMON + `
-in vec3 point, normal;
+in vec3 point;
+in vec4 normal; // and how open the sky is
 in uint part;
 uniform sampler2D palette;
 out vec3 place, direction;
+out float open;
 flat out vec3 colour;
 void main() {
   place = point * scale + shift;
-  direction = normal;
-  colour = entry(palette, part).rgb;
+  direction = normal.xyz;
+  open = normal.w;
+  colour = pow(entry(palette, part).rgb, vec3(2.2));
   gl_Position = matrix * vec4(place, 1.);
 }`;
 
-// Smooth where the surface is, flat at its creases; lit from the eye, from above and from a side.
+// Smooth where the surface is, flat at its creases; lit from three sides of the eye, darker in cavities
+// and towards its outline.
 const SURFACE_FRAGMENT = COMMON + `
 in vec3 place, direction;
+in float open;
 flat in vec3 colour;
 uniform vec4 cut;
-uniform vec3 right, up;
+uniform vec3 right, up, back;
 uniform float opacity;
+uniform vec4 ink; // of edges; or its opacity is 0
 out vec4 result;
+float diffuse(vec3 n, vec3 light) {
+  return max(0., (dot(n, light) + .25) / 1.25);
+}
 void main() {
   if(dot(place, cut.xyz) > cut.w)
     discard;
-  if(opacity < 0.) { // only which side is seen
-    result = vec4(0., 0., 0., gl_FrontFacing ? 0. : .5);
+  if(ink.a > 0.) {
+    result = ink;
     return;
   }
   vec3 to_eye = normalize(eye - place);
@@ -46,11 +55,17 @@ void main() {
   flat_normal *= sign(dot(flat_normal, to_eye));
   vec3 smooth_normal = normalize(direction) * (gl_FrontFacing ? 1. : -1.);
   vec3 n = dot(smooth_normal, flat_normal) > .8 ? smooth_normal : flat_normal;
-  vec3 light = normalize(to_eye + .6 * up - .5 * right);
-  float lit = .34 + .5 * max(dot(n, light), 0.) + .2 * (.5 + .5 * dot(n, up));
-  vec3 shade = colour * lit * (gl_FrontFacing ? vec3(1.) : vec3(.82, .74, .64));
-  shade += .12 * pow(max(dot(n, normalize(light + to_eye)), 0.), 40.);
-  result = vec4(shade, opacity);
+  vec3 key = normalize(-.45 * right + .65 * up + .75 * back);
+  vec3 fill = normalize(.8 * right - .1 * up + .55 * back);
+  vec3 rim = normalize(.3 * right + .7 * up - .6 * back);
+  float sky = gl_FrontFacing ? open : .6;
+  vec3 light = sky * (vec3(.2, .21, .24) + (.5 + .5 * dot(n, up)) * vec3(.13, .14, .16)) +
+               (.35 + .65 * sky) * (diffuse(n, key) * vec3(.74, .72, .68) +
+                                    diffuse(n, fill) * vec3(.13, .14, .17) + diffuse(n, rim) * vec3(.1));
+  float facing = clamp(dot(n, to_eye), 0., 1.), away = 1. - facing;
+  vec3 shade = colour * (gl_FrontFacing ? vec3(1.) : vec3(.62, .5, .36)) * light;
+  shade += .1 * sky * pow(max(dot(n, normalize(key + to_eye)), 0.), 40.);
+  result = vec4(pow(shade * (.5 + .5 * (1. - away * away * away)), vec3(1. / 2.2)), opacity);
 }`;
 
 // A segment as two triangles around it, of constant width in pixels, or as thick as it is; a little
@@ -111,6 +126,7 @@ flat in vec2 a, b, radii, inverses;
 flat in vec4 colour;
 uniform float strength;
 uniform int wanted;
+uniform float least; // of what it covers of a pixel
 uniform vec3 round; // if lines hide each other: the depth is x - y / w, and z pixels are 1
 out vec4 result;
 void main() {
@@ -118,11 +134,12 @@ void main() {
   float t = clamp(dot(p, d) / max(dot(d, d), 1e-8), 0., 1.);
   float radius = mix(radii.x, radii.y, t), away = length(p - t * d);
   float cover = clamp(radius + .5 - away, 0., 1.);
-  if(cover < (wanted == 2 || strength < 1. || round.z > 0. ? .5 : .02))
+  if(cover < least)
     discard;
   float facing = sqrt(max(0., 1. - away * away / (radius * radius)));
   float shade = mix(1., .5 + .5 * facing, smoothstep(2., 6., radius));
-  result = wanted == 2 ? colour : vec4(shade * colour.rgb, strength < 1. ? strength : cover);
+  result = wanted == 2 ? vec4(colour.rgb, strength)
+                       : vec4(shade * colour.rgb, strength < 1. ? strength : cover);
   gl_FragDepth = gl_FragCoord.z;
   if(round.z > 0.) {
     float depth = 1. / mix(inverses.x, inverses.y, t);

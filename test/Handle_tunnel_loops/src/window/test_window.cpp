@@ -269,7 +269,7 @@ TEST(Page, HasLittleCode) {
   std::size_t size = 0;
   for(const std::string_view script : page_scripts)
     size += script.size();
-  EXPECT_LT(size, 46000u);
+  EXPECT_LT(size, 100000u);
 }
 
 } // namespace test_window

@@ -1,0 +1,393 @@
+// Draws surfaces and lines with WebGL, as a view says. The faces are never touched here once they are on the
+// graphics card.
+
+class Renderer {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.gl = canvas.getContext('webgl2', { antialias: false, depth: false });
+    if (!this.gl)
+      throw new Error('this browser has no WebGL 2, or it is switched off');
+    this.surfaces = [];
+    this.programs = { surface: this.program(SURFACE_VERTEX, SURFACE_FRAGMENT),
+                      line: this.program(LINE_VERTEX, LINE_FRAGMENT) };
+  }
+
+  program(vertex, fragment) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
+      throw new Error(gl.getProgramInfoLog(program));
+    const uniforms = {};
+    for (let i = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; --i) {
+      const { name } = gl.getActiveUniform(program, i);
+      uniforms[name] = gl.getUniformLocation(program, name);
+    }
+    return { program, uniforms, at: name => gl.getAttribLocation(program, name) };
+  }
+
+  // ---- what is drawn
+
+  buffer(data, target = this.gl.ARRAY_BUFFER) {
+    const buffer = this.gl.createBuffer();
+    this.gl.bindBuffer(target, buffer);
+    this.gl.bufferData(target, data, this.gl.STATIC_DRAW);
+    return buffer;
+  }
+
+  attribute(index, count, type, stride) {
+    const gl = this.gl;
+    gl.enableVertexAttribArray(index);
+    if (type === gl.UNSIGNED_INT)
+      gl.vertexAttribIPointer(index, count, type, stride, 0);
+    else
+      gl.vertexAttribPointer(index, count, type, type === gl.BYTE, stride, 0);
+  }
+
+  addSurface({ points, normals, partOf, triangles, coarse, cells }) {
+    const gl = this.gl, { at } = this.programs.surface, array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    this.buffer(points);
+    this.attribute(at('point'), 3, gl.UNSIGNED_SHORT, 8);
+    const normalBuffer = this.buffer(normals);
+    this.attribute(at('normal'), 4, gl.BYTE, 4);
+    if (partOf) {
+      this.buffer(Uint32Array.from(partOf));
+      this.attribute(at('part'), 1, gl.UNSIGNED_INT, 4);
+    } else {
+      gl.vertexAttribI4ui(at('part'), 0, 0, 0, 0);
+    }
+    const full = this.indices(triangles);
+    this.surfaces.push({ array, full, coarse: coarse === triangles ? full : this.indices(coarse), cells, triangles,
+                         normalBuffer, palette: this.palette() });
+    gl.bindVertexArray(null);
+  }
+
+  indices(triangles) {
+    return { buffer: this.buffer(triangles, this.gl.ELEMENT_ARRAY_BUFFER), count: triangles.length };
+  }
+
+  setNormals(number, normals) {
+    this.gl.bindBuffer(this.gl.ARRAY_BUFFER, this.surfaces[number].normalBuffer);
+    this.gl.bufferData(this.gl.ARRAY_BUFFER, normals, this.gl.STATIC_DRAW);
+  }
+
+  // Sides of triangles, those that two have once.
+  edges(surface) {
+    const { triangles } = surface, edges = new Uint32Array(2 * triangles.length);
+    let end = 0;
+    for (let i = 0; i < triangles.length; ++i) {
+      const a = triangles[i], b = triangles[i % 3 === 2 ? i - 2 : i + 1];
+      if (a < b) {
+        edges[end++] = a;
+        edges[end++] = b;
+      }
+    }
+    this.gl.bindVertexArray(null);
+    return this.indices(edges.subarray(0, end));
+  }
+
+  palette() {
+    const gl = this.gl, texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    return texture;
+  }
+
+  // Colours with a fourth number; for lines: hidden 0, shown 128, lit 255.
+  fill(texture, colours) {
+    const gl = this.gl, rows = Math.max(1, Math.ceil(colours.length / PALETTE_WIDTH));
+    const data = new Uint8Array(4 * PALETTE_WIDTH * rows);
+    colours.forEach((colour, i) => data.set(colour, 4 * i));
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, PALETTE_WIDTH, rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, data);
+  }
+
+  setLines(points) {
+    const palette = this.lines?.palette || this.palette();
+    for (const detail of ['full', 'coarse'])
+      this.gl.deleteTexture(this.lines?.[detail].texture || null);
+    this.lines = { full: this.pointTexture(points), coarse: this.pointTexture(coarseLines(points)), palette,
+                   nothing: this.lines?.nothing || this.gl.createVertexArray() };
+  }
+
+  pointTexture(points) {
+    const gl = this.gl, texture = this.palette(), count = points.length / 4;
+    const rows = Math.max(1, Math.ceil(count / PALETTE_WIDTH));
+    const data = new Uint32Array(4 * PALETTE_WIDTH * rows);
+    data.set(points);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, PALETTE_WIDTH, rows, 0, gl.RGBA_INTEGER,
+                  gl.UNSIGNED_INT, data);
+    return { texture, count };
+  }
+
+  // ---- a picture
+
+  // How many triangles are in what may be seen.
+  prepare(view) {
+    const surface = this.surfaces[view.shown], { columns } = view.camera.matrix();
+    const [a, b, c, d] = this.cutPlane = view.cutPlane(), planes = [...sides(columns), [-a, -b, -c, d]];
+    this.runs = runsOf(surface.cells, cell => meetsAll(planes, view.placing.box(cell)));
+    return this.runs.reduce((all, [first, end]) => all + end - first, 0) / 3;
+  }
+
+  // Onto the canvas, as large as that is; with `isCoarse` less, and in half the size, which takes far less time
+  // where there is no graphics card.
+  show(view, background, isCoarse, pixelRatio) {
+    const { width, height } = this.canvas, part = isCoarse ? 0.5 : 1;
+    const size = [width, height].map(x => Math.max(1, Math.round(x * part)));
+    const samples = isCoarse ? 0 : 4, key = [...size, samples].join();
+    const known = this.screens?.get(isCoarse);
+    if (known?.key !== key) {
+      known?.free();
+      (this.screens ||= new Map()).set(isCoarse, { ...this.target(...size, samples), key });
+    }
+    const { framebuffer } = this.screens.get(isCoarse);
+    this.paint(view, { framebuffer, width: size[0], height: size[1], background, isCoarse, pixelRatio: pixelRatio * part });
+    this.copy(framebuffer, size, null, [width, height]);
+  }
+
+  copy(from, size, to, other) {
+    const gl = this.gl;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to);
+    gl.blitFramebuffer(0, 0, ...size, 0, 0, ...other, gl.COLOR_BUFFER_BIT, size[0] === other[0] ? gl.NEAREST : gl.LINEAR);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  paint(view, { framebuffer, width, height, background, isCoarse = false, pixelRatio }) {
+    const gl = this.gl;
+    Object.assign(this, { view, frame: [width, height], isCoarse, pixelRatio });
+    this.prepare(view);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(...background);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    const isOverBones = view.hasBones && !isCoarse && view.opacity < 1;
+    if (isOverBones)
+      this.drawBones();
+    this.drawSurfaces();
+    if (view.isWired && !isCoarse)
+      this.drawEdges();
+    this.drawLines(isOverBones);
+  }
+
+  use(program) {
+    const gl = this.gl, { uniforms } = program, { camera, placing } = this.view;
+    const { columns, eye, near } = camera.matrix();
+    gl.useProgram(program.program);
+    gl.uniformMatrix4fv(uniforms.matrix, false, columns);
+    gl.uniform3fv(uniforms.scale, placing.scale);
+    gl.uniform3fv(uniforms.shift, placing.shift);
+    gl.uniform3fv(uniforms.eye, eye);
+    if (uniforms.near)
+      gl.uniform1f(uniforms.near, near);
+    return uniforms;
+  }
+
+  // A transparent surface: what looks away first, then the nearest that looks to the eye over it.
+  drawSurfaces() {
+    const gl = this.gl, { opacity } = this.view;
+    if (opacity >= 1 || this.isCoarse)
+      return this.drawSurface(1);
+    gl.enable(gl.CULL_FACE);
+    gl.cullFace(gl.FRONT);
+    this.drawSurface(opacity, true);
+    gl.disable(gl.CULL_FACE);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.colorMask(false, false, false, false);
+    this.drawSurface(1);
+    gl.colorMask(true, true, true, true);
+    this.drawSurface(opacity, true);
+  }
+
+  useSurface(opacity, ink) {
+    const gl = this.gl, surface = this.surfaces[this.view.shown], { right, up, back } = this.view.camera;
+    const uniforms = this.use(this.programs.surface);
+    gl.uniform4fv(uniforms.cut, this.cutPlane);
+    gl.uniform4fv(uniforms.ink, ink);
+    for (const [name, axis] of Object.entries({ right, up, back }))
+      gl.uniform3fv(uniforms[name], axis);
+    gl.uniform1f(uniforms.opacity, opacity);
+    gl.bindTexture(gl.TEXTURE_2D, surface.palette);
+    gl.bindVertexArray(surface.array);
+    return surface;
+  }
+
+  drawSurface(opacity, isBlended = false) {
+    const gl = this.gl, surface = this.useSurface(opacity, [0, 0, 0, 0]);
+    (isBlended ? gl.enable : gl.disable).call(gl, gl.BLEND);
+    gl.depthFunc(gl.LEQUAL);
+    gl.enable(gl.POLYGON_OFFSET_FILL);
+    gl.polygonOffset(1, 1);
+    const { buffer, count } = this.isCoarse ? surface.coarse : surface.full;
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    for (const [first, end] of this.isCoarse && surface.coarse !== surface.full ? [[0, count]] : this.runs)
+      gl.drawElements(gl.TRIANGLES, end - first, gl.UNSIGNED_INT, 4 * first);
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  drawEdges() {
+    const gl = this.gl, surface = this.useSurface(1, [0.1, 0.12, 0.16, 0.35]);
+    if (!surface.edges) {
+      surface.edges = this.edges(surface);
+      gl.bindVertexArray(surface.array);
+    }
+    gl.enable(gl.BLEND);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, surface.edges.buffer);
+    gl.drawElements(gl.LINES, surface.edges.count, gl.UNSIGNED_INT, 0);
+  }
+
+  // What lies inside, solid: before the surface is laid over it, and where it looks out after that.
+  drawBones() {
+    const gl = this.gl;
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
+    this.isRound = true;
+    this.drawSegments(gl.LEQUAL, 0, 1);
+    this.isRound = false;
+  }
+
+  // Hidden ones pale, and the paler the more there are; the stencil keeps each pixel to one of them. Of those
+  // that are seen the nearest is on top: their cores cover depth, but not their faint rims, which would hide
+  // the next segments.
+  drawLines(isOverBones) {
+    const gl = this.gl, { isAnyLit, opacity, numberShown } = this.view;
+    const crowd = Math.min(1, Math.sqrt(30 / Math.max(1, numberShown)));
+    gl.enable(gl.BLEND);
+    gl.depthMask(false);
+    gl.enable(gl.STENCIL_TEST);
+    gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
+    gl.stencilFunc(gl.EQUAL, 0, 255);
+    if (isAnyLit)
+      this.drawSegments(gl.GREATER, 1, 0.65);
+    if (!isOverBones)
+      this.drawSegments(gl.GREATER, 0, (0.34 + 0.5 * (1 - opacity)) * crowd);
+    gl.disable(gl.STENCIL_TEST);
+    if (isOverBones)
+      this.drawBones();
+    else
+      this.drawOverEachOther(0);
+    if (isAnyLit)
+      this.drawOverEachOther(1);
+    gl.depthMask(true);
+  }
+
+  drawOverEachOther(wanted) {
+    const gl = this.gl;
+    if (!this.isCoarse) {
+      gl.depthMask(true);
+      gl.colorMask(false, false, false, false);
+      this.drawSegments(gl.LEQUAL, wanted, 1, true);
+      gl.colorMask(true, true, true, true);
+      gl.depthMask(false);
+    }
+    this.drawSegments(gl.LEQUAL, wanted, 1);
+  }
+
+  drawSegments(depth, wanted, strength, isCore = false) {
+    const gl = this.gl, { camera, lineWidth, isThick, placing } = this.view;
+    const uniforms = this.use(this.programs.line), { depth: factor, offset } = camera.matrix();
+    const pixels = this.frame[1] / 2 / camera.extent[1]; // of a unit of length, at the depth 1
+    gl.uniform2fv(uniforms.size, this.frame);
+    gl.uniform1f(uniforms.width, lineWidth * this.pixelRatio);
+    gl.uniform1f(uniforms.strength, strength);
+    gl.uniform1i(uniforms.wanted, wanted);
+    gl.uniform1f(uniforms.least, isCore ? 0.98 : wanted === 2 || strength < 1 || this.isRound ? 0.5 : 0.02);
+    gl.uniform1f(uniforms.thick, isThick && this.isRound ? Math.max(...placing.scale) * pixels : 0);
+    gl.uniform3f(uniforms.round, factor, offset, this.isRound ? pixels : 0);
+    const { texture, count } = this.lines[this.isCoarse ? 'coarse' : 'full'];
+    gl.uniform1i(uniforms.points, 1);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.lines.palette);
+    gl.bindVertexArray(this.lines.nothing);
+    gl.depthFunc(depth);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * Math.max(0, count - 1));
+  }
+
+  // ---- other pictures
+
+  // Something to draw into that is not seen.
+  target(width, height, samples) {
+    const gl = this.gl, framebuffer = gl.createFramebuffer(), buffers = [];
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    samples = Math.min(samples, gl.getParameter(gl.MAX_SAMPLES));
+    for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH24_STENCIL8, gl.DEPTH_STENCIL_ATTACHMENT]]) {
+      buffers.push(gl.createRenderbuffer());
+      gl.bindRenderbuffer(gl.RENDERBUFFER, buffers[buffers.length - 1]);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffers[buffers.length - 1]);
+    }
+    const free = () => {
+      buffers.forEach(buffer => gl.deleteRenderbuffer(buffer));
+      gl.deleteFramebuffer(framebuffer);
+    };
+    return { framebuffer, free };
+  }
+
+  pixels(framebuffer, width, height) {
+    const gl = this.gl, pixels = new Uint8Array(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return pixels;
+  }
+
+  // For each pixel, from below, the number of a line, plus one, in three bytes; the fourth is 255 if it is
+  // seen there, and less if it is behind the surface.
+  numbers(view, width, height, isCoarse) {
+    const gl = this.gl, { framebuffer, free } = this.target(width, height, 0);
+    Object.assign(this, { view, frame: [width, height], isCoarse, pixelRatio: width / this.canvas.clientWidth });
+    this.prepare(view);
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.disable(gl.BLEND);
+    gl.depthMask(true);
+    this.drawSegments(gl.LEQUAL, 2, 0.5);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    gl.colorMask(false, false, false, false);
+    this.drawSurface(1);
+    gl.colorMask(true, true, true, true);
+    this.drawSegments(gl.LEQUAL, 2, 1);
+    const pixels = this.pixels(framebuffer, width, height);
+    free();
+    return pixels;
+  }
+
+  // A picture of any size, from above, as colours that are not multiplied by their opacities.
+  image(view, width, height, background) {
+    const drawn = this.target(width, height, 4), plain = this.target(width, height, 0);
+    const pixelRatio = height / this.canvas.clientHeight;
+    this.paint(view, { framebuffer: drawn.framebuffer, width, height, background, pixelRatio });
+    this.copy(drawn.framebuffer, [width, height], plain.framebuffer, [width, height]);
+    const rows = this.pixels(plain.framebuffer, width, height), pixels = new Uint8ClampedArray(rows.length);
+    for (let y = 0; y < height; ++y)
+      pixels.set(rows.subarray(4 * width * y, 4 * width * (y + 1)), 4 * width * (height - 1 - y));
+    for (let i = 0; i < pixels.length; i += 4)
+      for (let k = 0; k < 3 && pixels[i + 3] % 255 > 0; ++k)
+        pixels[i + k] *= 255 / pixels[i + 3];
+    [drawn, plain].forEach(({ free }) => free());
+    return new ImageData(pixels, width, height);
+  }
+
+  get largestSide() {
+    return this.gl.getParameter(this.gl.MAX_RENDERBUFFER_SIZE);
+  }
+
+  // Until all that was asked for is drawn.
+  wait() {
+    this.pixels(null, 1, 1);
+  }
+}

@@ -1,0 +1,82 @@
+// Reads what the page carries, and shows it: first the table, then the surface, then the light in its cavities.
+
+const soon = () => new Promise(resolve => setTimeout(resolve));
+
+// A graphics card may be lost, and come back.
+function watchContext(viewer, page) {
+  viewer.canvas.addEventListener('webglcontextlost', event => {
+    event.preventDefault();
+    page.say('The graphics card is not at hand at the moment. The table works; the surface comes back when the card does.', true);
+    viewer.draw();
+  });
+  viewer.canvas.addEventListener('webglcontextrestored', () => {
+    viewer.setRenderer(new Renderer(viewer.canvas));
+    page.say('');
+    page.refresh();
+  });
+}
+
+function makeRenderer(viewer, page) {
+  try {
+    viewer.setRenderer(new Renderer(viewer.canvas));
+    watchContext(viewer, page);
+  } catch (error) {
+    page.say(`The surface cannot be drawn here: ${error.message}. The table works without it.`, true);
+  }
+}
+
+async function loadSurfaces(viewer, page) {
+  const surfaces = [];
+  for (const [i, surface] of scene.surfaces.entries()) {
+    page.say(`Unpacking ${surface.faces.toLocaleString('en')} triangles\u2026`);
+    await soon();
+    surfaces.push(await loadSurface(surface, `surface${i}`, viewer.size));
+  }
+  page.say('');
+  surfaces.forEach(surface => viewer.addSurface(surface));
+  viewer.camera.home.radius = Math.max(...surfaces.map(surface => surface.radius), 1e-3);
+  viewer.camera.pose = viewer.camera.homePose();
+}
+
+// When nobody turns the surface.
+async function addLight(viewer) {
+  for (const [i, surface] of viewer.surfaces.entries()) {
+    const isDone = await addOpenness(surface, viewer.size, async () => {
+      do
+        await new Promise(resolve => setTimeout(resolve, viewer.isMoving ? 100 : 0));
+      while (viewer.isMoving);
+      return false;
+    });
+    if (isDone && viewer.isReady)
+      viewer.renderer.setNormals(i, surface.normals);
+    viewer.draw();
+  }
+}
+
+async function start() {
+  const began = performance.now(), viewer = new Viewer(element('canvas'), scene);
+  viewer.setLines(await loadLines(scene));
+  const page = new Page(viewer);
+  window.htloops = { page, viewer, scene };
+  makeRenderer(viewer, page);
+  if (viewer.renderer)
+    await loadSurfaces(viewer, page);
+  page.refresh();
+  viewer.isMoving = true; // so that what takes long is seen at once, with fewer triangles
+  viewer.costs.triangle = 1e-3;
+  viewer.drawNow();
+  window.htloops.loadMilliseconds = performance.now() - began;
+  viewer.isMoving = false;
+  viewer.isLightDue = Boolean(viewer.renderer);
+  viewer.draw();
+  document.body.classList.add('ready');
+  if (viewer.renderer)
+    await addLight(viewer);
+  viewer.isLightDue = false;
+}
+
+start().catch(error => {
+  element('message').textContent = `The page cannot show what it carries: ${error.message}`;
+  element('message').classList.add('bad');
+  throw error;
+});
