@@ -93,5 +93,5 @@ install_from_debian() {
 install_from_debian "${wanted[@]}"
 case "${1:-tool}" in
   judges) install_from_npm judges gltf-validator manifold-3d ;;
-  web_tests) install_from_npm web_tests puppeteer-core@24 vite@7 typescript@5 ;;
+  web_tests) install_from_npm web_tests puppeteer-core@24 axe-core@4 vite@7 typescript@5 ;;
 esac

@@ -31,7 +31,7 @@ class Camera {
   static everything = 4; // in front of the place, where nothing is cut away
 
   constructor(view, up) {
-    this.home = { view, up, radius: 1 };
+    this.home = { view, up, points: [] }; // which are to be seen
     this.aspect = 1;
     this.pose = this.homePose();
   }
@@ -58,8 +58,18 @@ class Camera {
     return this.front < Camera.everything;
   }
 
+  // So that the points fill the picture.
   homePose() {
-    return this.poseFrom(this.home.view, [0, 0, 0], 1.06 * this.home.radius / Camera.halfAngle);
+    const pose = this.poseFrom(this.home.view, [0, 0, 0], 1.06 / Camera.halfAngle), { points } = this.home;
+    if (points.length === 0)
+      return pose;
+    const right = normalized(cross(pose.up, pose.back)), up = cross(pose.back, right);
+    const [x, y, z] = [right, up, pose.back].map(axis => points.map(p => dot(p, axis)));
+    const middles = [x, y, z].map(all => (Math.min(...all) + Math.max(...all)) / 2), [width, height] = scaled(this.extent, 0.9);
+    const distance = points.reduce((most, _, i) => Math.max(
+      most, Math.max(Math.abs(x[i] - middles[0]) / width, Math.abs(y[i] - middles[1]) / height) + z[i] - middles[2]), 1e-3);
+    const place = [right, up, pose.back].reduce((all, axis, k) => sum(all, scaled(axis, middles[k])), [0, 0, 0]);
+    return { ...pose, place, distance };
   }
 
   // Upright as far as that can be.

@@ -187,18 +187,6 @@ function withNormals({ points, triangles, parts }, size) {
   return { points: all, triangles, normals, parts };
 }
 
-// From the middle of the box, in the unit of `size`.
-function farthest(points, size) {
-  let most = 0;
-  for (let i = 0; i < points.length; i += 4) {
-    let square = 0;
-    for (let k = 0; k < 3; ++k)
-      square += ((points[i + k] / STEPS - 0.5) * size[k]) ** 2;
-    most = Math.max(most, square);
-  }
-  return Math.sqrt(most);
-}
-
 async function loadSurface(surface, id, size) {
   const coded = decodeSurface(await inflated(id), surface);
   turnOutwards(coded);
@@ -206,7 +194,7 @@ async function loadSurface(surface, id, size) {
   const loaded = surface.parts ? splitByParts(creased) : creased;
   sortIntoCells(loaded);
   loaded.coarse = coarseTriangles(loaded);
-  return { ...surface, ...loaded, radius: farthest(loaded.points, size) };
+  return { ...surface, ...loaded };
 }
 
 // All lines in one array of points; the fourth number of a point is twice that of its line, and one

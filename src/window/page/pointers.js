@@ -18,6 +18,7 @@ class Pointers {
       this.moved = pointers.size > 1 ? Infinity : 0;
       canvas.focus({ preventScroll: true });
       this.page.closeMenus();
+      element('hint').hidden = true; // who turns it knows how
     };
     canvas.onpointermove = event => {
       const before = pointers.get(event.pointerId);

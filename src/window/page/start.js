@@ -25,6 +25,12 @@ function makeRenderer(viewer, page) {
   }
 }
 
+// Points that stand for all when it is asked what fills the picture.
+function someOf(points, placing) {
+  const count = points.length / 4, step = Math.max(1, Math.floor(count / 5000));
+  return Array.from({ length: Math.ceil(count / step) }, (_, i) => placing.at(points, i * step));
+}
+
 async function loadSurfaces(viewer, page) {
   const surfaces = [];
   for (const [i, surface] of scene.surfaces.entries()) {
@@ -34,8 +40,8 @@ async function loadSurfaces(viewer, page) {
   }
   page.say('');
   surfaces.forEach(surface => viewer.addSurface(surface));
-  viewer.camera.home.radius = Math.max(...surfaces.map(surface => surface.radius), 1e-3);
-  viewer.camera.pose = viewer.camera.homePose();
+  viewer.camera.home.points = surfaces.flatMap(({ points }) => someOf(points, viewer.placing));
+  viewer.isAtHome = true;
 }
 
 // When nobody turns the surface.

@@ -113,13 +113,12 @@ class Table {
 
   makeHead() {
     this.classes = this.scene.columns.map((_, i) => this.classOf(i));
-    element('head').append(made('th', {}, made('span', { className: 'mark' })));
+    element('head').append(made('th', {}, made('span', { className: 'unseen', textContent: 'chosen' })));
     this.scene.columns.forEach((column, i) => {
       const button = made('button', { type: 'button', textContent: column.name, title: column.about || `sort by ${column.name}` });
       button.onclick = () => this.sort(i);
       element('head').append(made('th', { className: this.classes[i], scope: 'col' }, button));
     });
-    element('head').firstChild.setAttribute('aria-label', 'chosen');
     element('wide').hidden = !this.classes.some(name => name.includes('long'));
   }
 

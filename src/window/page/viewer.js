@@ -131,6 +131,8 @@ class Viewer {
   drawNow() {
     const { clientWidth, clientHeight } = this.canvas;
     this.camera.aspect = Math.max(1, clientWidth) / Math.max(1, clientHeight);
+    if (this.isAtHome)
+      this.camera.pose = this.camera.homePose();
     this.lineNumbers = null;
     if (this.isReady) {
       const pixelRatio = window.devicePixelRatio || 1, began = performance.now();
@@ -160,6 +162,7 @@ class Viewer {
 
   // Soon again, and in full when it has come to rest.
   move() {
+    this.isAtHome = false;
     this.isMoving = true;
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
@@ -178,7 +181,7 @@ class Viewer {
   // ---- flights
 
   // To a pose, in half a second, or at once if little is to move.
-  fly(pose) {
+  fly(pose, done = () => {}) {
     const { pose: from } = this.camera, began = performance.now(), flight = this.flight = {};
     const duration = matchMedia('(prefers-reduced-motion: reduce)').matches || !this.isReady ? 0 : 500;
     const step = () => {
@@ -191,7 +194,8 @@ class Viewer {
         requestAnimationFrame(step);
       } else {
         this.flight = null;
-        this.isMoving = false;
+        this.isMoving = this.isAtHome = false;
+        done();
         this.draw();
       }
     };
@@ -218,7 +222,7 @@ class Viewer {
 
   goHome() {
     this.poses = [];
-    this.fly(this.camera.homePose());
+    this.fly(this.camera.homePose(), () => { this.isAtHome = true; });
   }
 
   // Looks at lines: from `view`, where they are seen from outside, if there is such a direction; else with
