@@ -133,7 +133,7 @@ are refined and plane otherwise.
     \cgalParamDescription{is told for each face that the mesh did not have before for which handle
       it was made, a cap or a part of a face at its rim: the place in `Removal_report::removed`, or,
       for necks, that in `Removal_report::removed_necks` plus the size of the former. For handles
-      that were removed together it is the first of them}
+      that were removed together it is the first of them: `Removed_handle::patch` tells it}
     \cgalParamType{a class model of `WritablePropertyMap` with face descriptors as key type and a
       number as value type, that takes faces that are new}
     \cgalParamDefault{none}

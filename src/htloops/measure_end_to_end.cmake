@@ -47,7 +47,7 @@ endforeach()
 
 # What its removal would take: a section of the tube twice, or its hole.
 run(0 measure torus.off --removal -o torus.json --csv torus.csv --jsonl torus.jsonl)
-expect_match("${output}" "cut area +its volume +fill area +its volume")
+expect_match("${output}" "cut area +cut removes +fill area +fill adds")
 file(READ "${FOLDER}/torus.json" loops)
 file(READ "${FOLDER}/torus.jsonl" line)
 foreach(file IN ITEMS loops line)

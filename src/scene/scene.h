@@ -36,6 +36,13 @@ struct Surface
   std::vector<Colour> part_colours;          ///< by part
 };
 
+/// What a colour of surfaces means.
+struct Patch
+{
+  std::string name;
+  Colour colour;
+};
+
 /// A sort of lines; who looks at a page can choose not to see it.
 struct Line_group
 {
@@ -77,7 +84,10 @@ struct Column
 {
   std::string name;
   bool is_number;
+  std::string explanation = {}; ///< a sentence, without its point
 };
+
+constexpr std::size_t no_part = static_cast<std::size_t>(-1);
 
 /// What rows may be hidden by, and lines be coloured by, besides their lengths.
 struct Scale
@@ -93,7 +103,8 @@ struct Table
   std::vector<std::vector<std::string>> rows;
   std::vector<double> lengths;      ///< by row: a slider hides rows, with their lines, by it
   std::vector<Scale> scales;        ///< or by one of these
-  std::vector<std::size_t> parts;   ///< by row: the part of the surface it tells of; or empty
+  std::vector<std::size_t> parts;   ///< by row: the part of the surface it tells of, or
+                                    ///< `no_part`, or empty: of surfaces that have parts
   std::vector<std::size_t> numbers; ///< by row: the number by which it is chosen, of the first ones
   /// a command for the chosen rows: what stands before their numbers, and behind them.
   std::array<std::string, 2> choice;
@@ -110,6 +121,7 @@ struct Scene
   std::string title;                   ///< as it is to be read
   std::vector<std::string> paragraphs; ///< as they are to be read
   std::vector<Surface> surfaces;       ///< at least one
+  std::vector<Patch> patches;          ///< for the legend, with the groups
   std::vector<Line_group> groups;
   std::vector<Line> lines;
   std::vector<Patch> patches;

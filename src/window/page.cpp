@@ -60,7 +60,22 @@ Json json_of(const std::optional<Point>& view) { return view ? Json(*view) : Jso
 
 Json json_of(const Scale& scale) { return {{"name", scale.name}, {"values", scale.values}}; }
 
-Json json_of(const Column& column) { return {{"name", column.name}, {"number", column.is_number}}; }
+Json json_of(const Column& column) {
+  Json json = {{"name", column.name}, {"number", column.is_number}};
+  if(!column.explanation.empty())
+    json["about"] = column.explanation;
+  return json;
+}
+
+Json json_of(const Patch& patch) { return {{"name", patch.name}, {"colour", patch.colour}}; }
+
+// What has no part is null.
+Json json_of_parts(const std::vector<std::size_t>& parts) {
+  Json json = Json::array();
+  for(const std::size_t part : parts)
+    json.push_back(part == no_part ? Json() : Json(part));
+  return json;
+}
 
 template <typename Range> Json array_of(const Range& range) {
   Json array = Json::array();
@@ -99,6 +114,7 @@ std::string scene_json(const Scene& scene,
                      {"opacity", scene.opacity},
                      {"bones", scene.has_bones},
                      {"surfaces", surfaces},
+                     {"patches", array_of(scene.patches)},
                      {"groups", array_of(scene.groups)},
                      {"lines", array_of(scene.lines)},
                      {"lineStreams", lines.lengths},
@@ -107,7 +123,7 @@ std::string scene_json(const Scene& scene,
                      {"rows", table.rows},
                      {"lengths", table.lengths},
                      {"scales", array_of(table.scales)},
-                     {"parts", table.parts},
+                     {"parts", json_of_parts(table.parts)},
                      {"numbers", table.numbers},
                      {"choice", table.choice},
                      {"noun", table.noun},

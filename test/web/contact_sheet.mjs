@@ -26,7 +26,7 @@ const files = ['happy_buddha_54k', 'fertility_6k', 'engine_Adapted03dist', 'of_f
 // What makes a page of each kind.
 const kinds = {
   loops: ['loops'],
-  removal: ['remove', '--all'],
+  removal: ['remove', '--all', '-o', 'removed.off'],
   skeleton: ['skeleton'],
   reeb: ['reeb'],
   measures: ['measure'],

@@ -122,6 +122,8 @@ struct Removed_handle
   double area;   ///< of the caps that took the place of a strip along the loop
   double volume; ///< of the solid taken away; negative if solid was put in
   Shape_change change = {}; ///< of the shape
+  std::size_t patch = 0; ///< the number by which the parameter `face_patch_map` knows its caps: its
+                         ///< own, or that of the first of those that were removed together
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

@@ -47,7 +47,7 @@ std::vector<htl_picture::Line> drawn_lines(const htl_scene::Scene& scene,
   return lines;
 }
 
-// How many lines of each group there are.
+// How many lines of each group there are, and what the colours of surfaces mean.
 std::vector<htl_picture::Legend_entry> legend_of(const htl_scene::Scene& scene) {
   std::vector<std::size_t> counts(scene.groups.size());
   for(const htl_scene::Line& line : scene.lines)
@@ -56,6 +56,8 @@ std::vector<htl_picture::Legend_entry> legend_of(const htl_scene::Scene& scene) 
   for(std::size_t i = 0; i < counts.size(); ++i)
     if(const auto& group = scene.groups[i]; counts[i] > 0)
       legend.push_back({group.colour, group.name + " (" + std::to_string(counts[i]) + ")"});
+  for(const htl_scene::Patch& patch : scene.patches)
+    legend.push_back({patch.colour, patch.name});
   return legend;
 }
 

@@ -23,9 +23,11 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -42,6 +44,11 @@ std::vector<std::string> narrow_cells_of(const Listed_pair& pair, const Pair_col
   std::vector<std::string> cells = cells_of(pair, columns);
   boost::algorithm::replace_all(cells.back(), " x ", "\u00d7");
   return cells;
+}
+
+template <typename Columns> void add_columns(htl_scene::Table& table, const Columns& columns) {
+  for(const Table_column& column : columns)
+    table.columns.push_back({column.name, column.is_number, column.about});
 }
 
 /// adds the sorts of lines that handle loops and tunnel loops are, which come first.
@@ -138,8 +145,7 @@ void add_pairs(htl_scene::Scene& scene,
                const Pair_listing& listing,
                const Choice& choice) {
   const Pair_columns columns(listing);
-  for(const Table_column& column : columns_of(columns))
-    scene.table.columns.push_back({column.name, column.is_number});
+  add_columns(scene.table, columns_of(columns));
   scene.table.choice = choice;
   add_groups_of_loops(scene);
   for(std::size_t row = 0; row < listing.size(); ++row) {
@@ -176,8 +182,7 @@ void add_group(htl_scene::Scene& scene,
 
 // In place of pairs.
 void add_throats(htl_scene::Scene& scene, const Throats& throats) {
-  for(const Table_column& column : throat_columns)
-    scene.table.columns.push_back({column.name, column.is_number});
+  add_columns(scene.table, throat_columns);
   scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
                   {"tunnel loops", colour_of(Loop_type::TUNNEL)},
                   {"of other classes", colour_of(Loop_type::BOUNDARY)},
@@ -215,8 +220,7 @@ void add_arcs(htl_scene::Scene& scene,
               const Mesh& mesh,
               const Reeb_answer& answer,
               const std::vector<Listed_arc>& arcs) {
-  for(const Table_column& column : arc_columns)
-    scene.table.columns.push_back({column.name, column.is_number});
+  add_columns(scene.table, arc_columns);
   std::vector<std::size_t> row_of(arcs.size());
   for(const Listed_arc& arc : arcs) {
     row_of[arc.arc] = scene.table.rows.size();
@@ -228,8 +232,7 @@ void add_arcs(htl_scene::Scene& scene,
 }
 
 void add_arcs(htl_scene::Scene& scene, const Skeleton_answer& answer) {
-  for(const Table_column& column : skeleton_columns)
-    scene.table.columns.push_back({column.name, column.is_number});
+  add_columns(scene.table, skeleton_columns);
   std::vector<std::size_t> row_of(answer.arcs.size());
   for(const std::size_t arc : arcs_by_length(answer)) {
     row_of[arc] = scene.table.rows.size();
@@ -240,40 +243,105 @@ void add_arcs(htl_scene::Scene& scene, const Skeleton_answer& answer) {
   add_bones(scene, bones_of(answer, true), row_of);
 }
 
-void add_row(htl_scene::Table& table, const std::string& name, const Removed_handle& handle) {
-  table.rows.push_back(cells_of(handle, name));
-  table.rows.back().emplace_back();
-  table.lengths.push_back(handle.length);
-}
-
-void add_row(htl_scene::Table& table, const std::string& name, const Refused_handle& handle) {
-  std::vector<std::string> cells = {name, "refused", formatted("%.6g", handle.length)};
-  cells.resize(std::size(removal_columns));
-  cells.push_back(handle.reason);
-  table.rows.push_back(std::move(cells));
-  table.lengths.push_back(handle.length);
-}
-
-// Handles that were removed, or those that were refused.
-void add_handles(htl_scene::Scene& scene, const Removal_shown& shown, bool are_removed) {
-  for(const Listed_pair& listed : shown.listing) {
-    const auto& [done, refused] = *listed.removal;
-    if(done.has_value() != are_removed)
-      continue;
-    add_loops(scene, shown.pairs, listed, scene.table.rows.size());
-    const std::string name = std::to_string(listed.pair);
-    if(done)
-      add_row(scene.table, name, *done);
-    else
-      add_row(scene.table, name, *refused);
-    scene.table.numbers.push_back(listed.pair);
+/// What is shown of a removal: a row for each handle, and for each neck, those that were removed
+/// first. The caps of a row are a part of the second surface.
+class Removal_rows
+{
+public:
+  Removal_rows(const Removal_shown& shown, htl_scene::Scene& scene)
+      : shown_(shown)
+      , scene_(scene)
+      , is_left_(shown.before.number_of_faces(), false)
+      , part_of_patch_(report().removed.size() + report().removed_necks.size()) {
+    for(const std::int64_t origin : shown.removal.face_origins)
+      if(origin != nothing_before)
+        is_left_[static_cast<std::size_t>(origin)] = true;
   }
-}
 
-template <typename Neck> void add_necks(htl_scene::Scene& scene, const std::vector<Neck>& necks) {
-  for(const Neck& neck : necks)
-    add_row(scene.table, "neck", neck);
-}
+  void add() {
+    add_handles(true);
+    add_handles(false);
+    add_necks(report().removed_necks);
+    add_necks(report().refused_necks);
+    colour_caps();
+  }
+
+private:
+  const Removal_report& report() const { return shown_.removal.report; }
+
+  void add_handles(bool are_removed) {
+    for(const Listed_pair& listed : shown_.listing) {
+      const auto& [done, refused] = *listed.removal;
+      if(done.has_value() != are_removed)
+        continue;
+      add_loops(scene_, shown_.pairs, listed, scene_.table.rows.size());
+      const std::size_t last = scene_.lines.size();
+      for(const std::size_t i : {0, 1})
+        if(done || !is_left(shown_.pairs[listed.pair].loop(loop_types[i])))
+          scene_.lines[last - 2 + i].surface = 0;
+      const std::string name = std::to_string(listed.pair);
+      if(done)
+        add_row(*done, name);
+      else
+        add_row(*refused, name);
+      scene_.table.numbers.push_back(listed.pair);
+    }
+  }
+
+  // Whether the faces along it are, on both sides of the edges that it crosses.
+  bool is_left(const Loop& loop) const {
+    const auto& steps = loop.steps();
+    return std::all_of(steps.begin(), steps.end(), [&](const Loop::Step& step) {
+      const Mesh::Halfedge_index other = shown_.before.opposite(step.halfedge);
+      return (shown_.before.is_border(step.halfedge) ||
+              is_left_[shown_.before.face(step.halfedge).idx()]) &&
+             (shown_.before.is_border(other) || is_left_[shown_.before.face(other).idx()]);
+    });
+  }
+
+  template <typename Neck> void add_necks(const std::vector<Neck>& necks) {
+    for(const Neck& neck : necks)
+      add_row(neck, "neck");
+  }
+
+  // The first row of a patch names its part; others that share it tell of the same.
+  void add_row(const Removed_handle& handle, const std::string& name) {
+    htl_scene::Table& table = scene_.table;
+    std::size_t& part = part_of_patch_[handle.patch];
+    if(part == 0)
+      part = table.rows.size() + 1;
+    table.parts.push_back(part);
+    table.rows.push_back(cells_of(handle, name));
+    table.rows.back().resize(table.columns.size());
+    table.lengths.push_back(handle.length);
+  }
+
+  void add_row(const Refused_handle& handle, const std::string& name) {
+    std::vector<std::string> cells = {name, "refused", formatted("%.6g", handle.length)};
+    cells.resize(std::size(removal_columns));
+    cells.push_back(handle.reason);
+    scene_.table.parts.push_back(htl_scene::no_part);
+    scene_.table.rows.push_back(std::move(cells));
+    scene_.table.lengths.push_back(handle.length);
+  }
+
+  // Part 0 is what was there before, part i + 1 the caps of row i.
+  void colour_caps() {
+    htl_scene::Surface& after = scene_.surfaces[1];
+    for(const std::size_t patch : shown_.removal.patches)
+      after.triangle_parts.push_back(
+          patch == Removal_answer::no_patch ? 0 : std::uint32_t(part_of_patch_[patch]));
+    after.part_colours.assign(scene_.table.rows.size() + 1, colour_of_caps);
+    after.part_colours[0] = scene_.surface_colour;
+    if(!report().removed.empty() || !report().removed_necks.empty())
+      scene_.patches = {{"new faces, where handles were", colour_of_caps}};
+  }
+
+  const Removal_shown& shown_;
+  htl_scene::Scene& scene_;
+  std::vector<bool> is_left_;              // by face
+  std::vector<std::size_t> part_of_patch_; // 0 before it has one
+};
 
 /// a scene with a title, `title` and the name of the mesh's file, and a surface.
 htl_scene::Scene
@@ -296,6 +364,16 @@ void look(const View& given, htl_scene::Scene& scene) {
   const auto [from, up] = whole_view(view, scene.surfaces[0]);
   scene.view = from;
   scene.up = up;
+}
+
+// What comes before the name of the file.
+std::string title_of(const Removal_shown& shown) {
+  const Removal_report& report = shown.removal.report;
+  const bool are_necks = report.removed.empty() && !report.removed_necks.empty();
+  if(report.removed.empty() && !are_necks)
+    return shown.is_dry_run ? "Nothing would be removed from" : "Nothing removed from";
+  return std::string(are_necks ? "Necks " : "Handles ") +
+         (shown.is_dry_run ? "that would be removed from" : "removed from");
 }
 
 htl_scene::Scene scene_of_parts(const std::string& title,
@@ -403,21 +481,17 @@ htl_scene::Scene scene_of_cut(const View& view,
 }
 
 htl_scene::Scene scene_of_removal(const View& view, const Removal_shown& shown) {
-  htl_scene::Scene scene = scene_of("Handles removed from", shown.mesh_file,
-                                    surface_of("before", drawn_surface(shown.before)));
-  scene.paragraphs = lines_of(summary(shown.report));
-  scene.surfaces.push_back(surface_of("after", drawn_surface(shown.after)));
+  htl_scene::Scene scene =
+      scene_of(title_of(shown), shown.mesh_file, surface_of("before", drawn_surface(shown.before)));
+  scene.paragraphs = lines_of(shown.summary);
+  scene.unit = words_of(shown.unit).sign;
+  scene.surfaces.push_back(surface_of("after", drawn_surface(shown.removal.mesh)));
   add_groups_of_loops(scene);
-  for(const Table_column& column : removal_columns)
-    scene.table.columns.push_back({column.name, column.is_number});
-  scene.table.columns.push_back({"why not", false});
+  add_columns(scene.table, removal_columns);
+  if(!shown.removal.report.refused.empty() || !shown.removal.report.refused_necks.empty())
+    scene.table.columns.push_back({"why not", false, "Why the handle was not removed"});
   scene.table.choice = shown.choice;
-  add_handles(scene, shown, true);
-  for(htl_scene::Line& line : scene.lines)
-    line.surface = 0; // these loops are on the surface no more
-  add_handles(scene, shown, false);
-  add_necks(scene, shown.report.removed_necks);
-  add_necks(scene, shown.report.refused_necks);
+  Removal_rows(shown, scene).add();
   look(view, scene);
   return scene;
 }
@@ -431,10 +505,15 @@ htl_scene::Scene scene_of_cleaning(const std::string& mesh_file,
   scene.paragraphs = lines_of(summary);
   scene.surfaces.push_back(surface_of("after", drawn_surface(cleaned.mesh)));
   // By fate: kept, replaced, small part, shell; then what is new.
-  const std::vector<Colour> colours = {
-      {204, 212, 222}, {213, 94, 0}, {230, 159, 0}, {86, 180, 233}, {0, 158, 115}};
-  for(htl_scene::Surface& surface : scene.surfaces)
-    surface.part_colours = colours;
+  scene.patches = {{"replaced", {213, 94, 0}},
+                   {"small parts", {230, 159, 0}},
+                   {"shells", {86, 180, 233}},
+                   {"new faces", colour_of_caps}};
+  for(htl_scene::Surface& surface : scene.surfaces) {
+    surface.part_colours = {scene.surface_colour};
+    for(const htl_scene::Patch& patch : scene.patches)
+      surface.part_colours.push_back(patch.colour);
+  }
   for(const Face_fate fate : cleaned.fates)
     scene.surfaces[0].triangle_parts.push_back(static_cast<std::uint32_t>(fate));
   for(const std::int64_t origin : cleaned.face_parents)

@@ -10,6 +10,7 @@
 #ifndef HTLOOPS_SCENES_H
 #define HTLOOPS_SCENES_H
 
+#include "Unit.h"
 #include "clean/cleaning.h"
 #include "draw/layers.h"
 #include "draw/lines.h"
@@ -18,6 +19,7 @@
 #include "scene/scene.h"
 #include "solve/answer.h"
 #include "solve/reeb_solver.h"
+#include "solve/removal_solver.h"
 #include "solve/skeleton_solver.h"
 #include "write/pair_listing.h"
 #include "write/tables.h"
@@ -77,12 +79,15 @@ struct Removal_shown
   const Choice& choice;
   const Mesh& before;
   const Pairs& pairs;
-  const Pair_listing& listing; ///< of those that were to be removed
-  const Removal_report& report;
-  const Mesh& after;
+  const Pair_listing& listing; ///< of those that were to be removed, in the order of the rows
+  const Removal_answer& removal;
+  const std::string& summary;
+  bool is_dry_run = false;
+  Unit unit = Unit::NONE;
 };
 
-/// both meshes, with the loops of the listed pairs and what became of each.
+/// both meshes, the caps of the second one in a colour of their own, with the loops of the listed
+/// pairs and what became of each. Loops that are still there are seen on both.
 htl_scene::Scene scene_of_removal(const View& view, const Removal_shown& shown);
 
 /// a mesh as it was before it was cleaned, with small parts and shells in colours, and as it is

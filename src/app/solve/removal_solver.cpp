@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -58,6 +59,18 @@ Removal_report remove_as_wanted(Changeable_mesh& mesh, const NamedParameters& np
   } catch(const std::invalid_argument& reason) {
     throw wrong_usage(reason.what());
   }
+}
+
+using Patches = std::map<Changeable_mesh::Face_index, std::size_t>;
+
+// Parts of faces that were there before, as there are at the rims of caps, are none.
+std::vector<std::size_t> patches_of(const Changed_mesh& changed, const Patches& patches) {
+  std::vector<std::size_t> result(changed.faces.size(), Removal_answer::no_patch);
+  for(std::size_t f = 0; f < result.size(); ++f)
+    if(changed.face_parents[f] == nothing_before)
+      result[f] = patches.at(
+          Changeable_mesh::Face_index(static_cast<Changeable_mesh::size_type>(changed.faces[f])));
+  return result;
 }
 
 using Vertex = Mesh::Vertex_index;
@@ -103,8 +116,10 @@ Removal_answer remove_handles(const Mesh& mesh,
   Changeable_copy copy(mesh);
   const Changeable_pairs loops = copy.pairs(pairs);
   Face_parents parents;
+  Patches patches;
   const auto filtered = parameters::callback(progress.callback())
                             .filter(filter_of(options, pairs.size()))
+                            .face_patch_map(boost::make_assoc_property_map(patches))
                             .face_to_face_map(boost::make_assoc_property_map(parents));
   Removal_answer answer;
   answer.number_of_threads = limit.number_of_threads();
@@ -114,6 +129,7 @@ Removal_answer remove_handles(const Mesh& mesh,
   answer.total_seconds = stopwatch.seconds();
   progress.end();
   static_cast<Changed_mesh&>(answer) = changed_mesh(copy.mesh, mesh, parents);
+  answer.patches = patches_of(answer, patches);
   return answer;
 }
 

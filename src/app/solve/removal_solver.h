@@ -38,7 +38,10 @@ struct Removal_options : CGAL::Handle_tunnel_loops::Removal_options
 
 struct Removal_answer : Changed_mesh
 {
+  static constexpr std::size_t no_patch = static_cast<std::size_t>(-1);
+
   Removal_report report;
+  std::vector<std::size_t> patches; ///< by face, the `Removed_handle::patch` of which it is a cap
   double total_seconds = 0.;
   int number_of_threads = 1;
 };

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -76,16 +77,20 @@ template <typename Row> std::string table_rows(std::size_t count, bool show_all,
   return rows;
 }
 
+template <typename Columns> std::vector<std::string> names_of(const Columns& columns) {
+  std::vector<std::string> names;
+  for(const Table_column& column : columns)
+    names.push_back(column.name);
+  return names;
+}
+
 // A table of which `cells(i)` are the rows; nothing if there are none.
 template <typename Columns, typename Cells>
 std::string
 table(const Columns& columns, std::size_t count, const Table_options& options, Cells cells) {
   if(count == 0)
     return "";
-  std::vector<std::string> names;
-  for(const Table_column& column : columns)
-    names.push_back(column.name);
-  return row(columns, names, options.use_colour) +
+  return row(columns, names_of(columns), options.use_colour) +
          table_rows(count, options.show_all,
                     [&](std::size_t i) { return row(columns, cells(i), options.use_colour); });
 }
@@ -306,19 +311,51 @@ Pair_columns::Pair_columns(const Pair_listing& listing)
     : measures(has_measures(listing))
     , costs(!listing.empty() && listing.front().costs.has_value()) {}
 
+namespace {
+
+constexpr Table_column pair_columns[] = {
+    {"pair", 5, true, {}, "The number of the pair of loops"},
+    {"handle", 12, true, Loop_type::HANDLE, "The length of the handle loop, around the handle"},
+    {"tunnel", 12, true, Loop_type::TUNNEL, "The length of the tunnel loop, through the hole"},
+    {"size",
+     8,
+     true,
+     {},
+     "The length of the shorter loop, as a part of the diagonal of the box around the mesh"},
+    {"diameter", 10, true, {}, "Of a round bore, or else of a circle as long as the shorter loop"},
+    {"of", 14, false, {}, "What has the diameter: a bore, with its axis, or the shorter loop"}};
+
+constexpr Table_column measure_columns[] = {
+    {"thickness",
+     10,
+     true,
+     {},
+     "The diameter of the largest ball that can be led around the handle inside"},
+    {"clear width",
+     11,
+     true,
+     {},
+     "The diameter of the largest ball that can be threaded through the hole"}};
+
+constexpr Table_column cost_columns[] = {
+    {"cut area", 10, true, {}, "The area of new faces, if the handle is cut"},
+    {"cut removes", 11, true, {}, "The volume of solid that is taken away, if the handle is cut"},
+    {"fill area", 10, true, {}, "The area of new faces, if the hole is filled"},
+    {"fill adds", 10, true, {}, "The volume of solid that is put in, if the hole is filled"}};
+
+constexpr Table_column place_columns[] = {
+    {"centre of the shorter", 34, false, {}, "The middle of the box around the shorter loop"},
+    {"its box", 0, false, {}, "The extents of that box along x, y and z"}};
+
+} // namespace
+
 std::vector<Table_column> columns_of(const Pair_columns& wanted) {
-  std::vector<Table_column> columns = {{"pair", 5, true},
-                                       {"handle", 12, true, Loop_type::HANDLE},
-                                       {"tunnel", 12, true, Loop_type::TUNNEL},
-                                       {"size", 8, true},
-                                       {"diameter", 10, true},
-                                       {"of", 14, false}};
+  std::vector<Table_column> columns(std::begin(pair_columns), std::end(pair_columns));
   if(wanted.measures)
-    columns.insert(columns.end(), {{"thickness", 10, true}, {"clear width", 11, true}});
+    columns.insert(columns.end(), std::begin(measure_columns), std::end(measure_columns));
   if(wanted.costs)
-    for(const char* title : {"cut area", "its volume", "fill area", "its volume"})
-      columns.push_back({title, 10, true});
-  columns.insert(columns.end(), {{"centre of the shorter", 34, false}, {"its box", 0, false}});
+    columns.insert(columns.end(), std::begin(cost_columns), std::end(cost_columns));
+  columns.insert(columns.end(), std::begin(place_columns), std::end(place_columns));
   return columns;
 }
 
@@ -328,11 +365,13 @@ bool has_measures(const Pair_listing& listing) {
 }
 
 void add_costs(const std::optional<Costs::value_type>& costs, std::vector<std::string>& cells) {
-  for(const auto way : {&Costs::value_type::cut, &Costs::value_type::fill}) {
+  const auto add = [&](std::optional<Removed_handle> Costs::value_type::*way, double sign) {
     const bool is_known = costs && (*costs).*way;
     cells.push_back(is_known ? formatted("%.4g", ((*costs).*way)->area) : "");
-    cells.push_back(is_known ? formatted("%.4g", ((*costs).*way)->volume) : "");
-  }
+    cells.push_back(is_known ? formatted("%.4g", 0. + sign * ((*costs).*way)->volume) : "");
+  };
+  add(&Costs::value_type::cut, 1.);
+  add(&Costs::value_type::fill, -1.); // which puts in, and does not take away
 }
 
 std::vector<std::string> cells_of(const Listed_pair& pair, const Pair_columns& wanted) {
@@ -565,12 +604,21 @@ const char* name_of(Removal_way way) {
   return names[static_cast<std::size_t>(way)];
 }
 
+namespace {
+
+// A number with a sign would need to be explained.
+std::string words_of_volume(double removed) {
+  return formatted("%.4g", std::abs(removed)) + (removed < 0. ? " added" : " removed");
+}
+
+} // namespace
+
 std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name) {
   return {name,
           name_of(handle.by),
           formatted("%.6g", handle.length),
-          formatted("%.6g", handle.area),
-          formatted("%.6g", handle.volume),
+          formatted("%.4g", handle.area),
+          words_of_volume(handle.volume),
           formatted("%.2f", handle.change.cap_ratio),
           formatted("%.2f", handle.length > 0. ? handle.change.displacement / handle.length : 0.),
           formatted("%.0f", handle.change.sharpest_angle)};
@@ -581,20 +629,19 @@ std::string table_of_removals(const Removal_report& report, bool show_all) {
   const std::string refused = rows(report.refused, report.refused_necks, show_all);
   std::string table;
   if(!removed.empty())
-    table += " pair  by           length          area        volume     cap    moved  angle\n" +
-             removed;
+    table += row(removal_columns, names_of(removal_columns)) + removed;
   if(!refused.empty())
     table += " pair  refused      length  why\n" + refused;
   return table;
 }
 
-std::string summary(const Removal_report& report) {
+std::string summary(const Removal_report& report, bool is_dry_run) {
   const std::string by = list_of_ways(report.removed);
-  std::string text = "genus " + std::to_string(report.genus_before) + " -> " +
-                     std::to_string(report.genus_after) + ", " +
-                     std::to_string(report.removed.size()) + " removed" +
-                     (by.empty() ? "" : " (" + by + ")") + ", " +
-                     std::to_string(report.refused.size()) + " refused\n";
+  std::string text =
+      "genus " + std::to_string(report.genus_before) + " -> " + std::to_string(report.genus_after) +
+      ", " + std::to_string(report.removed.size()) +
+      (is_dry_run ? " would be removed" : " removed") + (by.empty() ? "" : " (" + by + ")") + ", " +
+      std::to_string(report.refused.size()) + " refused\n";
   if(!report.removed_necks.empty() || !report.refused_necks.empty())
     text += counted(report.components_before, "component", "components") + " -> " +
             std::to_string(report.components_after) + ", " +

@@ -33,6 +33,7 @@ struct Table_column
   int width;                          ///< 0: the last one
   bool is_number;                     ///< these stand to the right
   std::optional<Loop_type> kind = {}; ///< of the loops that it tells of
+  const char* about = "";             ///< a sentence, without its point, for pages
 };
 
 /// a table for a person; nothing if there are no rows. The middle of a long one is left out, unless
@@ -111,9 +112,13 @@ struct Listed_arc
 /// the arcs, the longest first.
 std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer);
 
-constexpr Table_column arc_columns[] = {{"arc", 5, true},    {"length", 12, true},
-                                        {"girth", 12, true}, {"vertices", 9, true},
-                                        {"from", 14, false}, {"to", 0, false}};
+constexpr Table_column arc_columns[] = {
+    {"arc", 5, true, {}, "The number of the arc"},
+    {"length", 12, true, {}, "The length of the line through the means of its contours"},
+    {"girth", 12, true, {}, "The length of the contour halfway along the arc"},
+    {"vertices", 9, true, {}, "How many vertices of the mesh belong to its part of the surface"},
+    {"from", 14, false, {}, "The joint or end where the function is least, with its number"},
+    {"to", 0, false, {}, "The joint or end where the function is largest, with its number"}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Listed_arc& arc);
@@ -124,9 +129,18 @@ std::string table_of_arcs(const std::vector<Listed_arc>& arcs, bool show_all);
 void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arcs);
 
 constexpr Table_column skeleton_columns[] = {
-    {"arc", 5, true},          {"length", 12, true},     {"smallest radius", 15, true},
-    {"mean radius", 12, true}, {"tortuosity", 10, true}, {"cycle", 5, false},
-    {"from", 12, false},       {"to", 0, false}};
+    {"arc", 5, true, {}, "The number of the arc"},
+    {"length", 12, true, {}, "The length along the arc"},
+    {"smallest radius", 15, true, {}, "How far the surface is from the arc where it is closest"},
+    {"mean radius", 12, true, {}, "How far the surface is from the arc on average"},
+    {"tortuosity",
+     10,
+     true,
+     {},
+     "The length over the distance between both ends: 1 if it is straight"},
+    {"cycle", 5, false, {}, "Whether the arc is on a cycle, one of which goes around each hole"},
+    {"from", 12, false, {}, "The joint, end or inlet where the arc begins, with its number"},
+    {"to", 0, false, {}, "The joint, end or inlet where the arc ends, with its number"}};
 
 /// the numbers of the arcs, the longest first.
 std::vector<std::size_t> arcs_by_length(const Skeleton_answer& answer);
@@ -146,8 +160,26 @@ void write_arc_csv(const std::string& target, const Skeleton_answer& answer);
 const char* name_of(Removal_way way);
 
 constexpr Table_column removal_columns[] = {
-    {"pair", 5, true},    {"by", 5, false}, {"length", 12, true}, {"area", 12, true},
-    {"volume", 12, true}, {"cap", 6, true}, {"moved", 7, true},   {"angle", 5, true}};
+    {"pair", 5, true, {}, "The number of the pair of loops; a neck joins two pieces, and has none"},
+    {"by",
+     5,
+     false,
+     {},
+     "Whether the handle was cut, filled, or taken out whole with its surroundings"},
+    {"length", 12, true, {}, "The length of the loop along which the handle was removed"},
+    {"area", 10, true, {}, "The area of the caps, the new faces that close the surface"},
+    {"volume", 16, true, {}, "How much solid was removed, or added"},
+    {"cap", 6, true, {}, "The area of the largest cap over that of a circle as long as its rim"},
+    {"moved",
+     7,
+     true,
+     {},
+     "The largest distance of a cap from the old surface, over the length of the loop"},
+    {"angle",
+     5,
+     true,
+     {},
+     "The sharpest angle between faces at an edge of a cap, in degrees: 180 is flat"}};
 
 /// what stands in the columns; `name` is the number of a pair, or neck.
 std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name);
@@ -156,7 +188,10 @@ std::vector<std::string> cells_of(const Removed_handle& handle, const std::strin
 std::string table_of_removals(const Removal_report& report, bool show_all);
 
 /// lines that sum them up.
-std::string summary(const Removal_report& report);
+std::string summary(const Removal_report& report, bool is_dry_run = false);
+
+/// the colour of what is new of a surface.
+constexpr Colour colour_of_caps = {110, 202, 168};
 
 /// the colour (red, green, blue) of a kind of loops, in exports and pictures alike. People who do
 /// not see all colours tell these apart (Okabe and Ito, Color Universal Design, 2008).

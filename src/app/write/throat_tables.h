@@ -26,8 +26,26 @@ constexpr char throat_header[] = "mesh,throat,length,diameter,prominence,separat
                                  "kind,through,x,y,z,xmin,ymin,zmin,xmax,ymax,zmax,genus,error";
 
 constexpr Table_column throat_columns[] = {
-    {"throat", 6, true},  {"length", 12, true},    {"diameter", 12, true}, {"prominence", 12, true},
-    {"bounds", 9, false}, {"class of", 10, false}, {"centre", 0, false}};
+    {"throat", 6, true, {}, "The number of the throat"},
+    {"length", 12, true, {}, "The length of the loop around the narrow place"},
+    {"diameter", 12, true, {}, "The diameter of a circle as long as the loop"},
+    {"prominence",
+     12,
+     true,
+     {},
+     "About how much longer the loop must become before it slips away; any: it never does"},
+    {"bounds",
+     9,
+     false,
+     {},
+     "The side of the surface on which a disc, or a surface, ends in the loop"},
+    {"class of",
+     10,
+     false,
+     {},
+     "The loop of a handle or tunnel into which it can be deformed; none: it cuts the surface in "
+     "two"},
+    {"centre", 0, false, {}, "The middle of the box around the loop"}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Throats& throats, const Throat& throat);

@@ -126,6 +126,7 @@ void write_files(const Remove_options& options,
                  const Answer& answer,
                  const Removal_answer& removal,
                  const Told_removal& told) {
+  const std::string summed_up = summary(told.report, options.is_dry_run);
   if(!options.json_file.empty())
     write_removal_json(options.json_file, removal.report);
   if(!options.csv_file.empty())
@@ -134,9 +135,10 @@ void write_files(const Remove_options& options,
   if(!options.gltf_file.empty())
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(is_looked_at(options))
-    show_scene(options, scene_of_removal(options.view,
-                                         {options.mesh_file, command_to_remove(options), mesh,
-                                          answer.pairs, told.listing, told.report, removal.mesh}));
+    show_scene(options,
+               scene_of_removal(options.view, {options.mesh_file, command_to_remove(options), mesh,
+                                               answer.pairs, told.listing, removal, summed_up,
+                                               options.is_dry_run, answer.unit}));
 }
 
 // What was asked for, in other words: lengths are often taken for diameters, and the unit for
@@ -173,14 +175,15 @@ words_of_time(const Removal_answer& removal, double loops_seconds, double read_s
          counted(static_cast<std::size_t>(removal.number_of_threads), "thread", "threads") + "\n";
 }
 
-std::string table_and_summary(const Remove_options& options, const Removal_report& report) {
-  return table_of_removals(report, options.show_all) + summary(report);
+std::string
+table_and_summary(const Remove_options& options, const Removal_report& report, bool is_dry_run) {
+  return table_of_removals(report, options.show_all) + summary(report, is_dry_run);
 }
 
 // Who has not said what is to go sees what there is, and nothing is written.
 [[noreturn]] void ask_for_choice(const Remove_options& options, const Removal_report& report) {
   if(!options.is_quiet)
-    show_text(table_and_summary(options, report), false);
+    show_text(table_and_summary(options, report, true), false);
   throw wrong_usage("this is what --all would do, and nothing is written: give --all, or say which "
                     "handles, as --shorter-than 3% or --pairs 0,2 do");
 }
@@ -214,7 +217,8 @@ void run(const Remove_options& options) {
   write_files(options, mesh, answer, removal, told);
   if(!options.is_quiet)
     show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
-                  table_and_summary(options, told.report) + words_of_unit(mended.facts.unit) +
+                  table_and_summary(options, told.report, options.is_dry_run) +
+                  words_of_unit(mended.facts.unit) +
                   words_of_time(removal, loops_seconds, read_seconds) +
                   (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
               is_output_taken(options));

@@ -66,7 +66,7 @@ class Page {
 
   // All parts but that of the lit row are pale.
   refreshParts(number) {
-    const { parts, colour } = scene.surfaces[number], lit = scene.parts[this.lit];
+    const { parts, colour } = scene.surfaces[number], lit = scene.parts[this.lit] ?? undefined;
     this.viewer.fillParts(number, (parts || [colour]).map((own, part) => [
       ...(parts && lit !== undefined && part !== lit ? own.map(c => 150 + c / 3) : own), 255]));
   }
@@ -218,7 +218,7 @@ class Page {
       mark.style.background = `rgb(${group.colour})`;
       legend.append(made('label', {}, box, mark, group.name));
     });
-    (scene.patches || []).forEach(({ name, colour }) => {
+    scene.patches.forEach(({ name, colour }) => {
       const mark = made('span', { className: 'mark patch' });
       mark.style.background = `rgb(${colour})`;
       legend.append(made('label', {}, mark, name));

@@ -530,8 +530,12 @@ TEST(Handle_removal, SaysWhichHandleAFaceCloses) {
     area[patch[f]] += PMP::face_area(f, mesh);
   }
   // Those that close it, and what is left of the faces beside them.
-  for(std::size_t i = 0; i < area.size(); ++i)
-    EXPECT_GT(area[i], 0.) << i;
+  for(std::size_t i = 0; i < area.size(); ++i) {
+    const std::size_t first = report.removed[i].patch;
+    ASSERT_LE(first, i);
+    EXPECT_EQ(report.removed[first].patch, first);
+    EXPECT_EQ(area[i] > 0., first == i) << i;
+  }
   EXPECT_GE(std::accumulate(area.begin(), area.end(), 0.), 0.9 * report.change().cap_area);
   EXPECT_LE(PMP::area(mesh) - area_before, report.change().cap_area);
 }

@@ -401,7 +401,7 @@ private:
       throw std::logic_error("handles were removed, but the genus does not say so");
   }
 
-  // Patches are numbered as handles are described.
+  // Patches are numbered as handles are described; the first of those removed together has one.
   void describe(std::vector<Removal_task> tasks,
                 double unit,
                 std::vector<Removed_handle>& removed,
@@ -410,23 +410,19 @@ private:
       task.divide_lengths(1. / unit);
     for(const Removal_task& task : tasks)
       if(task.state == Removal_task::State::REMOVED) {
-        patches_.push_back({task.end_of_faces, patches_.size()});
+        const std::size_t number = report_.removed.size() + report_.removed_necks.size();
         removed.push_back(task.removed());
+        removed.back().patch = patches_.try_emplace(task.end_of_faces, number).first->second;
       } else if(task.state == Removal_task::State::REFUSED)
         refused.push_back(task.refused());
   }
 
   // Patches follow each other without gaps.
-  std::size_t patch_of(Index face) const {
-    return std::upper_bound(patches_.begin(), patches_.end(),
-                            std::make_pair(face, (std::numeric_limits<std::size_t>::max)()))
-        ->second;
-  }
+  std::size_t patch_of(Index face) const { return patches_.upper_bound(face)->second; }
 
   void write_back(const Surgery_mesh& mesh, Mesh_link<TriangleMesh, Vertex_point_map>& link) {
     auto vertices = get(internal_np::vertex_output_iterator, Emptyset_iterator());
     auto faces = get(internal_np::face_output_iterator, Emptyset_iterator());
-    std::sort(patches_.begin(), patches_.end());
     link.write_back(
         mesh, [&](Index, auto v) { *vertices++ = v; },
         [&](Index number, auto f) {
@@ -461,7 +457,7 @@ private:
   double most_done_ = 0.;
   std::vector<Pair> pairs_;
   Removal_report report_;
-  std::vector<std::pair<Index, std::size_t>> patches_; // ends of their faces, and numbers
+  std::map<Index, std::size_t> patches_; // their numbers, by the ends of their faces
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
