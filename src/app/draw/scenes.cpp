@@ -205,6 +205,8 @@ void add_bones(htl_scene::Scene& scene,
                const std::vector<std::size_t>& row_of_arc) {
   for(const Bone_kind& kind : bone_kinds)
     scene.groups.push_back({kind.many, kind.colour, kind.width});
+  for(const Exported_line& bone : bones.lines) // what these are depends on the graph
+    scene.groups[static_cast<std::size_t>(bone.kind_number)].name = bone.kind;
   for(const Exported_line& bone : bones.lines) {
     const bool is_ball = bone.points.size() == 1;
     add_line(scene, bone.points, bone.is_closed || is_ball,
@@ -443,7 +445,7 @@ htl_scene::Scene scene_of_reeb_graph(const View& view,
                                      const std::vector<Listed_arc>& arcs,
                                      const std::string& summary) {
   htl_scene::Scene scene =
-      scene_of_parts("Reeb graph of", mesh_file, arc_surface(mesh, answer), tints_of(answer));
+      scene_of_parts("Reeb graph of", mesh_file, arc_surface(mesh, answer), tints_of(mesh, answer));
   scene.paragraphs = lines_of(summary);
   add_arcs(scene, mesh, answer, arcs);
   look(view, scene);

@@ -136,6 +136,10 @@ Exported_lines bones_of(const Mesh& mesh, const Reeb_answer& answer, bool as_thi
           return kind == 2 ? type == Type::SADDLE : type == Type::MINIMUM || type == Type::MAXIMUM;
         },
         as_thick, bones);
+  for(Exported_line& line : bones.lines)
+    line.kind += line.kind_number == 2   ? " (saddles)"
+                 : line.kind_number == 3 ? " (minima and maxima)"
+                                         : "";
   return bones;
 }
 

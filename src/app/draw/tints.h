@@ -23,13 +23,13 @@ namespace htloops {
 /// the colour of what has no parts, or only one.
 constexpr Colour plain_tint = {238, 240, 244};
 
-/// pale colours for so many parts of a surface, on which lines stand out: few of them, and as far
-/// as these suffice others for neighbours, which may be named more than once.
+/// pale colours for so many parts of a surface, on which lines stand out: four of them, or, where
+/// neighbours would have the same one, up to six. Neighbours may be named more than once.
 std::vector<Colour> tints_of(std::size_t number_of_parts,
                              const std::vector<std::pair<std::size_t, std::size_t>>& neighbours);
 
-/// those of the arcs of a Reeb graph.
-std::vector<Colour> tints_of(const Reeb_answer& answer);
+/// those of the arcs of a Reeb graph; different also where parts only touch.
+std::vector<Colour> tints_of(const Mesh& mesh, const Reeb_answer& answer);
 
 /// those of the arcs of a skeleton, to which vertices of the mesh belong.
 std::vector<Colour> tints_of(const Mesh& mesh,

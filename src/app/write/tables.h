@@ -114,11 +114,19 @@ std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer);
 
 constexpr Table_column arc_columns[] = {
     {"arc", 5, true, {}, "The number of the arc"},
-    {"length", 12, true, {}, "The length of the line through the means of its contours"},
+    {"length", 12, true, {}, "The length of the line that is drawn for the arc"},
     {"girth", 12, true, {}, "The length of the contour halfway along the arc"},
     {"vertices", 9, true, {}, "How many vertices of the mesh belong to its part of the surface"},
-    {"from", 14, false, {}, "The joint or end where the function is least, with its number"},
-    {"to", 0, false, {}, "The joint or end where the function is largest, with its number"}};
+    {"from",
+     14,
+     false,
+     {},
+     "The node where the function is least, with its number: a saddle is a joint"},
+    {"to",
+     0,
+     false,
+     {},
+     "The node where the function is largest, with its number: a saddle is a joint"}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Listed_arc& arc);
@@ -131,8 +139,16 @@ void write_arc_csv(const std::string& target, const std::vector<Listed_arc>& arc
 constexpr Table_column skeleton_columns[] = {
     {"arc", 5, true, {}, "The number of the arc"},
     {"length", 12, true, {}, "The length along the arc"},
-    {"smallest radius", 15, true, {}, "How far the surface is from the arc where it is closest"},
-    {"mean radius", 12, true, {}, "How far the surface is from the arc on average"},
+    {"smallest radius",
+     15,
+     true,
+     {},
+     "The radius of the smallest of the balls along the arc, each as large as fits inside"},
+    {"mean radius",
+     12,
+     true,
+     {},
+     "The mean radius of the balls along the arc, each as large as fits inside"},
     {"tortuosity",
      10,
      true,

@@ -139,7 +139,7 @@ void write_files(const Reeb_command_options& options,
     show_scene(options,
                scene_of_reeb_graph(options.view, options.mesh_file, mesh, answer, arcs, text));
   if(!options.gltf_file.empty()) {
-    const std::vector<Colour> tints = tints_of(answer);
+    const std::vector<Colour> tints = tints_of(mesh, answer);
     Drawn_surface surface =
         drawn_surface(arc_surface(mesh, answer), [&tints](std::size_t arc) { return tints[arc]; });
     surface.opacity = opacity_around_bones;
@@ -214,7 +214,7 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
   command.add_flag("--tubes", options.picture.has_tubes,
-                   "bones as thick as the solid, in the picture and as glTF");
+                   "arcs as thick as the solid, in the picture and as glTF");
   add_view_options(command, options);
 }
 
@@ -267,12 +267,13 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
 constexpr char reeb_description[] = R"(Computes the Reeb graph of a triangle mesh.
 
 Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an animal,
-the bars of a frame. A connected surface of genus g has a graph with g independent cycles.
+the bars of a frame. A connected surface of genus g has a graph with g independent cycles. The
+girth of an arc, in the table, is the length of the contour halfway along it.
 )";
 
 constexpr char reeb_examples[] = R"(Examples:
   htloops reeb chair.off --picture chair.png      a look at it
-  htloops reeb chair.off -o chair.json --parts parts.ply --lines bones.obj
+  htloops reeb chair.off -o chair.json --parts parts.ply --lines arcs.obj
                                                   for a program and for a viewer
   htloops reeb chair.off --height 0,0,1 --simplify 0 --graph chair.graphml
                                                   the full Reeb graph of the height

@@ -149,7 +149,7 @@ void add_output_options(CLI::App& command, Skeleton_command_options& options) {
   add_page_option(command, options, "the mesh and the skeleton");
   add_gltf_option(command, options, "the arcs");
   command.add_flag("--tubes", options.picture.has_tubes,
-                   "bones as thick as the solid, in the picture and as glTF");
+                   "arcs as thick as the solid, in the picture and as glTF");
   add_view_options(command, options);
 }
 

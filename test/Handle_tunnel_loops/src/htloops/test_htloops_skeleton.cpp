@@ -268,10 +268,23 @@ TEST(Tints, differ_between_neighbours) {
   const std::vector<Colour> tints = tints_of(count, neighbours);
   for(const auto& [a, b] : neighbours)
     EXPECT_NE(tints[a], tints[b]);
-  EXPECT_LE(std::set<Colour>(tints.begin(), tints.end()).size(), 8u);
+  EXPECT_LE(std::set<Colour>(tints.begin(), tints.end()).size(), 4u);
   for(const Colour& tint : tints)
     EXPECT_GT(tint[0] + tint[1] + tint[2], 3 * 200);
   EXPECT_EQ(tints_of(1, {}), std::vector<Colour>{plain_tint});
+}
+
+// All of so many parts are neighbours.
+TEST(Tints, are_more_where_needed) {
+  for(const std::size_t count : {4, 5, 6, 9}) {
+    std::vector<std::pair<std::size_t, std::size_t>> neighbours;
+    for(std::size_t i = 0; i < count; ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        neighbours.emplace_back(j, i);
+    const std::vector<Colour> tints = tints_of(count, neighbours);
+    EXPECT_EQ(std::set<Colour>(tints.begin(), tints.end()).size(),
+              (std::min)(count, std::size_t(6)));
+  }
 }
 
 TEST(Surfaces_of_labels, are_the_surface_itself_cut) {
