@@ -36,13 +36,6 @@ struct Surface
   std::vector<Colour> part_colours;          ///< by part
 };
 
-/// What a colour of surfaces means.
-struct Patch
-{
-  std::string name;
-  Colour colour;
-};
-
 /// A sort of lines; who looks at a page can choose not to see it.
 struct Line_group
 {
@@ -121,7 +114,6 @@ struct Scene
   std::string title;                   ///< as it is to be read
   std::vector<std::string> paragraphs; ///< as they are to be read
   std::vector<Surface> surfaces;       ///< at least one
-  std::vector<Patch> patches;          ///< for the legend, with the groups
   std::vector<Line_group> groups;
   std::vector<Line> lines;
   std::vector<Patch> patches;

@@ -67,8 +67,6 @@ Json json_of(const Column& column) {
   return json;
 }
 
-Json json_of(const Patch& patch) { return {{"name", patch.name}, {"colour", patch.colour}}; }
-
 // What has no part is null.
 Json json_of_parts(const std::vector<std::size_t>& parts) {
   Json json = Json::array();
@@ -118,7 +116,6 @@ std::string scene_json(const Scene& scene,
                      {"groups", array_of(scene.groups)},
                      {"lines", array_of(scene.lines)},
                      {"lineStreams", lines.lengths},
-                     {"patches", array_of(scene.patches)},
                      {"columns", array_of(table.columns)},
                      {"rows", table.rows},
                      {"lengths", table.lengths},

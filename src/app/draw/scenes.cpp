@@ -378,6 +378,13 @@ std::string title_of(const Removal_shown& shown) {
          (shown.is_dry_run ? "that would be removed from" : "removed from");
 }
 
+std::string why_no_rows(const Removal_shown& shown) {
+  return shown.pairs.empty()
+             ? "This surface has no handles (its genus is 0): there is nothing to remove."
+             : "None of the " + counted(shown.pairs.size(), "handle", "handles") +
+                   " is one that was to be removed: 'htloops loops' shows all.";
+}
+
 htl_scene::Scene scene_of_parts(const std::string& title,
                                 const std::string& mesh_file,
                                 Arc_surface cut,
@@ -494,6 +501,8 @@ htl_scene::Scene scene_of_removal(const View& view, const Removal_shown& shown) 
     scene.table.columns.push_back({"why not", false, "Why the handle was not removed"});
   scene.table.choice = shown.choice;
   Removal_rows(shown, scene).add();
+  if(scene.table.rows.empty())
+    scene.table.empty = why_no_rows(shown);
   look(view, scene);
   return scene;
 }

@@ -105,6 +105,7 @@ TEST_P(Removal, SaysWhatWasDone) {
   for(const Scene* scene : {&none, &dry}) {
     EXPECT_TRUE(scene->patches.empty());
     EXPECT_TRUE(scene->table.rows.empty());
+    EXPECT_NE(scene->table.empty, "");
   }
 }
 
