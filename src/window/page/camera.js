@@ -65,7 +65,7 @@ class Camera {
       return pose;
     const right = normalized(cross(pose.up, pose.back)), up = cross(pose.back, right);
     const [x, y, z] = [right, up, pose.back].map(axis => points.map(p => dot(p, axis)));
-    const middles = [x, y, z].map(all => (Math.min(...all) + Math.max(...all)) / 2), [width, height] = scaled(this.extent, 0.9);
+    const middles = [x, y, z].map(all => (Math.min(...all) + Math.max(...all)) / 2), [width, height] = [0.92, 0.84].map((room, k) => room * this.extent[k]); // for what stands over it
     const distance = points.reduce((most, _, i) => Math.max(
       most, Math.max(Math.abs(x[i] - middles[0]) / width, Math.abs(y[i] - middles[1]) / height) + z[i] - middles[2]), 1e-3);
     const place = [right, up, pose.back].reduce((all, axis, k) => sum(all, scaled(axis, middles[k])), [0, 0, 0]);
