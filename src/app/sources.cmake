@@ -39,10 +39,13 @@ list(APPEND HTLOOPS_APP_SOURCES
   draw/meshes.cpp
   draw/pages.cpp
   draw/pictures.cpp
+  draw/samples.cpp
   draw/scenes.cpp
+  draw/seen_lines.cpp
   draw/skeletons.cpp
   draw/surfaces.cpp
   draw/tints.cpp
+  draw/upright.cpp
   draw/view.cpp
   mend/Change_log.cpp
   mend/comparison.cpp

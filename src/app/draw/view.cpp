@@ -9,201 +9,264 @@
 
 #include "draw/view.h"
 
+#include "draw/seen_lines.h"
 #include "draw/surfaces.h"
+#include "draw/upright.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <iterator>
+#include <numeric>
 
 namespace htloops {
 namespace {
 
-// A box in a cube from -1 to 1.
-class Placement
+// A direction that something may be seen from, and how good it is in itself.
+struct Candidate
 {
-public:
-  explicit Placement(const std::vector<Vector>& points)
-      : box_(box_of(points)) {
-    for(int i = 0; i < 3; ++i) // an extent may be larger than the largest number
-      half_ = (std::max)(half_, box_.max(i) / 2. - box_.min(i) / 2.);
-  }
-
-  bool is_point() const { return !(half_ > 0.); }
-
-  Vector operator()(const Vector& p) const {
-    Vector q;
-    for(int i = 0; i < 3; ++i)
-      q[i] = p[i] / half_ - (box_.min(i) / 2. + box_.max(i) / 2.) / half_;
-    return q;
-  }
-
-private:
-  CGAL::Bbox_3 box_;
-  double half_ = 0.;
+  Vector from; // of length one
+  double height;
+  double weight;
 };
 
-// Corners of a triangle in the cube.
-std::array<Vector, 3>
-placed_triangle(const htl_scene::Surface& surface, std::size_t t, const Placement& placed) {
-  const auto& [i, j, k] = surface.triangles[t];
-  return {placed(surface.points[i]), placed(surface.points[j]), placed(surface.points[k])};
+// Things are looked at from a little above, hardly ever from below.
+double weight_of_height(double height) {
+  const double too_high = (std::max)(0., height - 0.6), too_low = (std::max)(0., 0.15 - height);
+  return 1. - 0.5 * too_high - 0.35 * too_low;
 }
 
-double area_of(const std::array<Vector, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
-  const Vector normal = cross({b[0] - a[0], b[1] - a[1], b[2] - a[2]}, //
-                              {c[0] - a[0], c[1] - a[1], c[2] - a[2]});
-  return length_of_vector(normal[0], normal[1], normal[2]) / 2.;
+// From the right of what is taken for the front, and a little above.
+Candidate usual_candidate(const Axes& axes) {
+  const Vector from = unit(axes.in_space({0.6, 1., 0.5}));
+  constexpr double preference = 1.05; // another one has to be clearly better
+  return {from, dot(from, axes.up), preference};
 }
 
-// The n-th of points that are spread evenly over a triangle.
-Vector point_in(const std::array<Vector, 3>& triangle, std::size_t n) {
-  double whole; // steps by powers of the plastic number leave no gaps
-  double u = std::modf(0.7548776662466927 * double(n), &whole),
-         v = std::modf(0.5698402909980532 * double(n), &whole);
-  if(u + v > 1.) {
-    u = 1. - u;
-    v = 1. - v;
+// Points that are spread evenly over the sphere, along a spiral; the usual direction comes first.
+std::vector<Candidate> candidates_around(const Vector& up) {
+  constexpr std::size_t count = 240;
+  const Axes axes = axes_of(up);
+  std::vector<Candidate> candidates = {usual_candidate(axes)};
+  for(std::size_t i = 0; i < count; ++i) {
+    const double height = 1. - (2. * double(i) + 1.) / count;
+    const double radius = std::sqrt(1. - height * height);
+    const double angle = 2.399963229728653 * double(i); // the golden one
+    const Vector from =
+        axes.in_space({radius * internal::cosine(angle), radius * internal::sine(angle), height});
+    candidates.push_back({unit(from), height, weight_of_height(height)});
   }
-  const auto& [a, b, c] = triangle;
-  Vector p;
-  for(int x = 0; x < 3; ++x)
-    p[x] = a[x] + u * (b[x] - a[x]) + v * (c[x] - a[x]);
-  return p;
+  return candidates;
 }
 
-// Points of the surface that stand for equal parts of it, however large its triangles are.
-std::vector<Vector> samples_of(const htl_scene::Surface& surface, const Placement& placed) {
-  constexpr double number_of_samples = 60000.;
-  double whole_area = 0.;
-  for(std::size_t t = 0; t < surface.triangles.size(); ++t)
-    whole_area += area_of(placed_triangle(surface, t, placed));
-  std::vector<Vector> samples;
-  double wanted = 0.;
-  for(std::size_t t = 0; whole_area > 0. && t < surface.triangles.size(); ++t) {
-    const std::array<Vector, 3> triangle = placed_triangle(surface, t, placed);
-    wanted += number_of_samples * (area_of(triangle) / whole_area);
-    while(double(samples.size()) < wanted)
-      samples.push_back(point_in(triangle, samples.size()));
-  }
-  return samples;
+// The length that is seen of all lines.
+double seen_length(const Seen_lines::View& view) {
+  return std::accumulate(view.lines.begin(), view.lines.end(), 0.,
+                         [](double sum, const auto& line) { return sum + line.seen; });
 }
 
-// What is not behind samples of the surface.
-class Depths
-{
-public:
-  Depths(const std::vector<Vector>& samples, const Vector& from, const Vector& up)
-      : from_(from)
-      , right_(unit(cross(up, from)))
-      , upwards_(cross(from, right_))
-      , nearest_(cells * cells, -std::numeric_limits<double>::infinity()) {
-    for(const Vector& sample : samples) {
-      double& depth = nearest_[cell(sample)];
-      depth = (std::max)(depth, dot(sample, from_));
-    }
+/*
+How good a view is. Each line counts by the part of it that is seen, and by how large that is, and
+the more the shorter it is: that is what one looks for, and it is seen from few directions. That
+many specks do not outweigh the large handles is seen to elsewhere, by the length that is seen in
+all. All lines count more than the surface.
+*/
+double value_of(const Seen_lines::View& view) {
+  double shares = 0., weights = 0.;
+  for(const auto& line : view.lines) {
+    const double weight = 1. / (std::max)(line.length, 1e-3);
+    shares += weight * (0.4 * line.seen + 0.6 * line.large) / (std::max)(line.length, 1e-12);
+    weights += weight;
   }
+  constexpr double weight_of_lines = 4.;
+  return view.surface + (weights > 0. ? weight_of_lines * shares / weights : 0.);
+}
 
-  bool is_visible(const Vector& p) const {
-    return dot(p, from_) > nearest_[cell(p)] - 4. * largest / cells;
+// The numbers of all, those with the largest values first.
+std::vector<std::size_t> by_value(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return values[i] > values[j]; });
+  return order;
+}
+
+// Whatever counts besides, nearly as much is seen as could be.
+constexpr double least_part_of_most = 0.82;
+
+// Candidates that deserve a closer look.
+std::vector<std::size_t> promising(const std::vector<Candidate>& candidates,
+                                   const std::vector<Seen_lines::View>& views) {
+  std::vector<double> lengths, values;
+  for(std::size_t i = 0; i < views.size(); ++i) {
+    lengths.push_back(seen_length(views[i]));
+    values.push_back(candidates[i].weight * value_of(views[i]));
   }
-
-private:
-  static constexpr int cells = 64;
-  static constexpr double largest = 1.8; // more than half the diagonal of the cube
-
-  std::size_t cell(const Vector& p) const {
-    const auto along = [&](const Vector& axis) {
-      return static_cast<std::size_t>((dot(p, axis) / largest + 1.) / 2. * cells);
-    };
-    return along(upwards_) * cells + along(right_);
+  const std::vector<std::size_t> by_length = by_value(lengths);
+  constexpr std::size_t of_each = 5;
+  std::vector<std::size_t> chosen(by_length.begin(), by_length.begin() + of_each);
+  for(const std::size_t i : by_value(values)) {
+    if(chosen.size() == 2 * of_each)
+      break;
+    if(lengths[i] >= least_part_of_most * lengths[by_length.front()] &&
+       std::find(chosen.begin(), chosen.end(), i) == chosen.end())
+      chosen.push_back(i);
   }
-
-  Vector from_, right_, upwards_;
-  std::vector<double> nearest_;
-};
-
-// How much is seen from a direction: of the surface, and above all of the chosen lines.
-class Visibility
-{
-public:
-  Visibility(const htl_scene::Surface& surface, const std::vector<std::vector<Vector>>& lines)
-      : lines_(lines) {
-    const Placement placed(surface.points);
-    if(placed.is_point()) {
-      lines_.clear();
-      return;
-    }
-    samples_ = samples_of(surface, placed);
-    for(std::vector<Vector>& line : lines_)
-      for(Vector& p : line)
-        p = placed(p);
-  }
-
-  double operator()(const Vector& from, const Vector& up) const {
-    const Depths depths(samples_, from, up);
-    // A short line counts as much as a long one, and all of them more than the surface.
-    constexpr double weight_of_lines = 4.;
-    double shares = 0.;
-    for(const std::vector<Vector>& line : lines_)
-      shares += visible_share(line, depths) / double(lines_.size());
-    return visible_share(samples_, depths) + weight_of_lines * shares;
-  }
-
-private:
-  static double visible_share(const std::vector<Vector>& points, const Depths& depths) {
-    const auto visible = std::count_if(points.begin(), points.end(),
-                                       [&](const Vector& p) { return depths.is_visible(p); });
-    return double(visible) / double((std::max)(points.size(), std::size_t(1)));
-  }
-
-  std::vector<std::vector<Vector>> lines_;
-  std::vector<Vector> samples_;
-};
+  return chosen;
+}
 
 Vector best_direction(const htl_scene::Surface& surface,
                       const std::vector<std::vector<Vector>>& lines,
                       const Vector& up) {
-  constexpr Vector oblique = {0.6, -1., 0.5};
+  const std::vector<Candidate> candidates = candidates_around(up);
   if(surface.triangles.empty())
-    return oblique;
-  const Visibility visibility(surface, lines);
-  const Vector z = unit(up);
-  const Vector x = unit(cross(std::abs(z[0]) < 0.9 ? Vector{1., 0., 0.} : Vector{0., 1., 0.}, z));
-  const Vector y = cross(z, x);
-  // Another direction has to show clearly more than the usual one.
-  Vector best = oblique;
-  double most = 1.05 * visibility(unit(oblique), z);
-  constexpr int around = 16;
-  std::vector<double> heights = {0.25, 0.7};
-  if(!lines.empty())
-    heights.insert(heights.end(), {-0.25, -0.7, 3.}); // there is something to be seen
-  for(const double height : heights)
-    for(int i = 0; i < around; ++i) {
-      const double angle = 2. * pi * (i + 0.3) / around;
-      Vector from;
-      for(int k = 0; k < 3; ++k)
-        from[k] = internal::cosine(angle) * x[k] + internal::sine(angle) * y[k] + height * z[k];
-      if(const double seen = visibility(unit(from), z); seen > most) {
-        most = seen;
-        best = from;
+    return candidates.front().from;
+  const Seen_lines seen(surface, lines);
+  std::vector<Seen_lines::View> views;
+  for(const Candidate& candidate : candidates)
+    views.push_back(seen.estimate(candidate.from));
+  std::vector<std::size_t> chosen(candidates.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t(0));
+  if(!lines.empty()) {
+    chosen = promising(candidates, views);
+    for(const std::size_t i : chosen)
+      views[i] = seen.measure(candidates[i].from);
+  }
+  double most = 0.;
+  for(const std::size_t i : chosen)
+    most = (std::max)(most, seen_length(views[i]));
+  std::size_t best = chosen.front();
+  double largest = -1.;
+  for(const std::size_t i : chosen)
+    if(const double value = candidates[i].weight * value_of(views[i]);
+       value > largest && seen_length(views[i]) >= least_part_of_most * most)
+    {
+      largest = value;
+      best = i;
+    }
+  return candidates[best].from;
+}
+
+// Of each group, the part of its length that is seen, and how large that is.
+struct Group_view
+{
+  double share = 0., large = 0.;
+};
+
+std::vector<Group_view> group_views(const Seen_lines::View& view,
+                                    const std::vector<std::size_t>& lines_in_group) {
+  std::vector<Group_view> groups;
+  auto line = view.lines.begin();
+  for(const std::size_t count : lines_in_group) {
+    double length = 0.;
+    groups.emplace_back();
+    for(std::size_t k = 0; k < count; ++k, ++line) {
+      length += line->length;
+      groups.back().share += line->seen;
+      groups.back().large += line->large;
+    }
+    groups.back().share /= (std::max)(length, 1e-12);
+    groups.back().large /= (std::max)(length, 1e-12);
+  }
+  return groups;
+}
+
+// Few directions such that from one of them each group is seen nearly as well as it can be: one
+// after another, that which adds most.
+std::vector<std::size_t> spread(const std::vector<std::vector<double>>& values_by_direction) {
+  constexpr std::size_t most = 14;
+  std::vector<double> reached(values_by_direction.front().size(), 0.);
+  std::vector<std::size_t> chosen;
+  while(chosen.size() < most) {
+    std::size_t best = 0;
+    double largest = 0.;
+    for(std::size_t d = 0; d < values_by_direction.size(); ++d) {
+      double added = 0.;
+      for(std::size_t g = 0; g < reached.size(); ++g)
+        added += (std::max)(0., values_by_direction[d][g] - reached[g]);
+      if(added > largest) {
+        largest = added;
+        best = d;
       }
     }
-  return best;
+    if(!(largest > 1e-3))
+      break;
+    chosen.push_back(best);
+    for(std::size_t g = 0; g < reached.size(); ++g)
+      reached[g] = (std::max)(reached[g], values_by_direction[best][g]);
+  }
+  return chosen;
+}
+
+// The directions from which a group is seen best.
+std::vector<std::size_t> best_for(const std::vector<std::vector<double>>& values_by_direction,
+                                  std::size_t group) {
+  constexpr std::size_t count = 3;
+  std::vector<double> values;
+  for(const std::vector<double>& of_groups : values_by_direction)
+    values.push_back(of_groups[group]);
+  std::vector<std::size_t> order = by_value(values);
+  order.resize(count);
+  return order;
 }
 
 } // namespace
 
 Whole_view whole_view(const View& given, const htl_scene::Surface& surface) {
-  Whole_view view{{}, {0., 0., 1.}};
-  if(!given.up.empty())
-    view.up = {given.up[0], given.up[1], given.up[2]};
-  view.from = given.from.empty() ? best_direction(surface, given.chosen, view.up)
+  Whole_view view;
+  view.up =
+      given.up.empty() ? upright_direction(surface) : Vector{given.up[0], given.up[1], given.up[2]};
+  view.from = given.from.empty() ? best_direction(surface, given.chosen, unit(view.up))
                                  : Vector{given.from[0], given.from[1], given.from[2]};
   return view;
+}
+
+std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
+                                              const std::vector<std::vector<Polyline>>& groups,
+                                              const Vector& up) {
+  std::vector<Polyline> lines;
+  std::vector<std::size_t> lines_in_group;
+  for(const std::vector<Polyline>& group : groups) {
+    lines.insert(lines.end(), group.begin(), group.end());
+    lines_in_group.push_back(group.size());
+  }
+  std::vector<std::optional<Vector>> best(groups.size());
+  if(surface.triangles.empty() || lines.empty())
+    return best;
+
+  const Seen_lines seen(surface, lines);
+  const std::vector<Candidate> candidates = candidates_around(unit(up));
+  std::vector<std::vector<double>> values;
+  for(const Candidate& candidate : candidates) {
+    values.emplace_back();
+    for(const auto& [share, large] : group_views(seen.estimate(candidate.from), lines_in_group))
+      values.back().push_back(candidate.weight * (share + large));
+  }
+  std::vector<double> largest(groups.size(), 0.);
+  const auto look_from = [&](std::size_t d) {
+    const std::vector<Group_view> views =
+        group_views(seen.measure(candidates[d].from), lines_in_group);
+    for(std::size_t g = 0; g < groups.size(); ++g)
+      if(const double value = candidates[d].weight * (views[g].share + views[g].large);
+         views[g].share >= 0.5 && value > largest[g])
+      {
+        largest[g] = value;
+        best[g] = candidates[d].from;
+      }
+  };
+  for(const std::size_t d : spread(values))
+    look_from(d);
+  // What is seen from few directions only may be missed by all of these.
+  std::size_t tries = 14;
+  for(std::size_t g = 0; g < groups.size(); ++g)
+    for(const std::size_t d : best_for(values, g))
+      if(!best[g] && values[d][g] > 0.6 && tries > 0) {
+        look_from(d);
+        --tries;
+      }
+  return best;
 }
 
 } // namespace htloops

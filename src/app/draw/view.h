@@ -13,16 +13,19 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace htloops {
 
+using Polyline = std::vector<std::array<double, 3>>;
+
 /// How a surface is seen, in a picture, or at first on a page. Empty for the default.
 struct View
 {
-  std::vector<double> from; ///< the direction from the surface to the eye
-  std::vector<double> up;   ///< the direction that is upright
-  std::vector<std::vector<std::array<double, 3>>> chosen; ///< lines that are to be seen
+  std::vector<double> from;     ///< the direction from the surface to the eye
+  std::vector<double> up;       ///< the direction that is upright
+  std::vector<Polyline> chosen; ///< closed lines that are to be seen
 };
 
 /// A view without defaults.
@@ -31,10 +34,18 @@ struct Whole_view
   std::array<double, 3> from, up;
 };
 
-/// what was given; of what was not, z is upright, and the surface is seen from a little above, from
-/// where most of the chosen lines is visible, and the largest part of the surface. That is found by
-/// samples: the time is linear in the size of the mesh.
+/// what was given. Of what was not, upright is what `upright_direction()` says; and the surface is
+/// seen from where most of the length of the chosen lines lies open and large, the short ones above
+/// all, and much of the surface. That is found by samples, and for the best directions with all
+/// triangles: the time is linear in the size of the mesh.
 Whole_view whole_view(const View& given, const htl_scene::Surface& surface);
+
+/// by group of closed lines, the direction from which it is seen best, of length one; none if less
+/// than half of its length is seen from anywhere outside. In linear time.
+std::vector<std::optional<std::array<double, 3>>>
+best_views(const htl_scene::Surface& surface,
+           const std::vector<std::vector<Polyline>>& groups,
+           const std::array<double, 3>& up);
 
 } // namespace htloops
 
