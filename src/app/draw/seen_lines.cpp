@@ -20,6 +20,7 @@ namespace htloops {
 namespace {
 
 constexpr std::size_t points_of_line = 48;
+constexpr std::size_t fine = 768, coarse = 256; // cells of a map, along each side
 
 Vector between(const Vector& a, const Vector& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
@@ -123,8 +124,9 @@ Vector Depth_map::placed(const Vector& point) const {
   return {(dot(point, right_) + 1.) * half, (dot(point, upwards_) + 1.) * half, dot(point, from_)};
 }
 
-void Depth_map::add(const Vector& point) {
-  const Vector p = placed(point);
+void Depth_map::add(const Vector& point) { add_placed(placed(point)); }
+
+void Depth_map::add_placed(const Vector& p) {
   double& depth = nearest(static_cast<int>(p[0]), static_cast<int>(p[1]));
   depth = (std::max)(depth, p[2]);
 }
@@ -171,12 +173,12 @@ bool Depth_map::is_free(const Vector& point, const Vector& normal) const {
 }
 
 Seen_lines::Seen_lines(const htl_scene::Surface& surface,
-                       const std::vector<std::vector<Vector>>& lines)
-    : triangles_(surface.triangles) {
+                       const std::vector<std::vector<Vector>>& lines) {
   const Ball_around ball(surface.points);
   points_ = ball.moved(surface.points);
-  samples_ = samples_of(points_, triangles_, 40000.);
-  side_ = side_of(points_, triangles_);
+  samples_ = samples_of(points_, surface.triangles, 40000.);
+  side_ = side_of(points_, surface.triangles);
+  choose_cells(surface.triangles);
   for(std::vector<Vector> line : lines) {
     for(Vector& p : line)
       p = ball(p);
@@ -275,14 +277,36 @@ Seen_lines::View Seen_lines::estimate(const Vector& from) const {
 }
 
 Seen_lines::View Seen_lines::measure(const Vector& from) const {
-  Depth_map depths(from, 768);
+  Depth_map depths(from, cells_);
   std::vector<Vector> placed;
   placed.reserve(points_.size());
-  for(const Vector& p : points_)
+  for(const Vector& p : points_) {
     placed.push_back(depths.placed(p));
-  for(const auto& [a, b, c] : triangles_)
+    if(cells_ == coarse)
+      depths.add_placed(placed.back());
+  }
+  for(const auto& [a, b, c] : large_triangles_)
     depths.add(placed[a], placed[b], placed[c]);
   return view_of(depths);
+}
+
+// Where there are many corners, cells are larger, and triangles that are smaller than one of them
+// are known by their corners.
+void Seen_lines::choose_cells(const std::vector<htl_scene::Triangle>& triangles) {
+  constexpr std::size_t many = 50000;
+  if(points_.size() < many) {
+    cells_ = fine;
+    large_triangles_ = triangles;
+    return;
+  }
+  cells_ = coarse;
+  const double cell = 2. / double(cells_);
+  for(const auto& t : triangles) {
+    const Vector &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
+    const Vector u = minus(b, a), v = minus(c, b), w = minus(a, c);
+    if((std::max)({dot(u, u), dot(v, v), dot(w, w)}) > cell * cell)
+      large_triangles_.push_back(t);
+  }
 }
 
 } // namespace htloops

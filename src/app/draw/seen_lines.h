@@ -30,6 +30,9 @@ public:
   /// notes a point of the surface.
   void add(const Vector& point);
 
+  /// the same, of one that is placed.
+  void add_placed(const Vector& point);
+
   /// notes a triangle, in all cells the middle of which it covers.
   void add(const Vector& a, const Vector& b, const Vector& c);
 
@@ -90,12 +93,14 @@ private:
   };
 
   void add_points(const std::vector<Vector>& line);
+  void choose_cells(const std::vector<htl_scene::Triangle>& triangles);
   void find_normals(const htl_scene::Surface& surface);
   bool is_seen(const Point_on_line& point, const Depth_map& depths) const;
   View view_of(const Depth_map& depths) const;
 
   std::vector<Vector> points_; // of the surface, in the unit ball
-  const std::vector<htl_scene::Triangle>& triangles_;
+  std::size_t cells_ = 0;
+  std::vector<htl_scene::Triangle> large_triangles_; // than a cell
   double side_ =
       0.; // 1 if triangles are turned outwards, -1 inwards, 0 if the surface is not closed
   std::vector<Vector> samples_;

@@ -176,7 +176,7 @@ std::vector<Group_view> group_views(const Seen_lines::View& view,
 // Few directions such that from one of them each group is seen nearly as well as it can be: one
 // after another, that which adds most.
 std::vector<std::size_t> spread(const std::vector<std::vector<double>>& values_by_direction) {
-  constexpr std::size_t most = 14;
+  constexpr std::size_t most = 8;
   std::vector<double> reached(values_by_direction.front().size(), 0.);
   std::vector<std::size_t> chosen;
   while(chosen.size() < most) {
@@ -259,7 +259,7 @@ std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
   for(const std::size_t d : spread(values))
     look_from(d);
   // What is seen from few directions only may be missed by all of these.
-  std::size_t tries = 14;
+  std::size_t tries = 6;
   for(std::size_t g = 0; g < groups.size(); ++g)
     for(const std::size_t d : best_for(values, g))
       if(!best[g] && values[d][g] > 0.6 && tries > 0) {
