@@ -21,7 +21,7 @@ std::string html_of(std::string_view text);
 
 // The files in page/ as they were when this was built; scripts in their order.
 extern const std::string_view page_html, page_css;
-extern const std::array<std::string_view, 14> page_scripts;
+extern const std::array<std::string_view, 17> page_scripts;
 
 } // namespace htl_window
 

@@ -10,7 +10,8 @@ set(HTL_WINDOW_SOURCES
 function(htl_embed_page output)
   set(folder "${CMAKE_CURRENT_FUNCTION_LIST_DIR}")
   foreach(name IN ITEMS page.html page.css camera.js cells.js decode.js coarse.js openness.js sight.js
-      shaders.js renderer.js viewer.js overlay.js table.js pointers.js page.js start.js)
+      shaders.js renderer.js viewer.js overlay.js table.js pointers.js filters.js switches.js saving.js
+      page.js start.js)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/page/${name}")
     file(READ "${folder}/page/${name}" text)
     string(REGEX REPLACE "\n +" "\n" text "${text}")

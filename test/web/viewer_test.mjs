@@ -341,7 +341,7 @@ test('pictures are saved in any size', async () => {
     document.getElementById('width').value = width;
     document.getElementById('height').value = height;
     document.getElementById('clear-background').checked = isClear;
-    window.htloops.page.save();
+    window.htloops.page.saving.save();
   }, width, height, isClear);
   await save(700, 500, false);
   await saved(700, 500);

@@ -65,17 +65,18 @@ class Camera {
       return pose;
     const right = normalized(cross(pose.up, pose.back)), up = cross(pose.back, right);
     const [x, y, z] = [right, up, pose.back].map(axis => points.map(p => dot(p, axis)));
-    const middles = [x, y, z].map(all => (Math.min(...all) + Math.max(...all)) / 2), [width, height] = [0.92, 0.84].map((room, k) => room * this.extent[k]); // for what stands over it
+    const [u, v, w] = [x, y, z].map(all => (Math.min(...all) + Math.max(...all)) / 2);
+    const [width, height] = [0.92 * this.extent[0], 0.84 * this.extent[1]]; // tools stand over it
     const distance = points.reduce((most, _, i) => Math.max(
-      most, Math.max(Math.abs(x[i] - middles[0]) / width, Math.abs(y[i] - middles[1]) / height) + z[i] - middles[2]), 1e-3);
-    const place = [right, up, pose.back].reduce((all, axis, k) => sum(all, scaled(axis, middles[k])), [0, 0, 0]);
+      most, z[i] - w + Math.max(Math.abs(x[i] - u) / width, Math.abs(y[i] - v) / height)), 1e-3);
+    const place = sum(sum(scaled(right, u), scaled(up, v)), scaled(pose.back, w));
     return { ...pose, place, distance };
   }
 
   // Upright as far as that can be.
   poseFrom(view, place, distance, front = Camera.everything) {
-    const back = normalized(view), { up } = this.home;
-    return { back, up: Math.abs(dot(back, normalized(up))) < 0.999 ? up : this.up || anyAcross(back), place, distance, front };
+    const back = normalized(view), { up } = this.home, isAcross = Math.abs(dot(back, normalized(up))) < 0.999;
+    return { back, up: isAcross ? up : this.up || anyAcross(back), place, distance, front };
   }
 
   // On the way between two poses.

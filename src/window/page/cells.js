@@ -71,6 +71,9 @@ function runsOf(cells, isWanted) {
   return runs;
 }
 
+// How many corners are in runs.
+const lengthOf = runs => runs.reduce((all, [first, end]) => all + end - first, 0);
+
 // Whether a box may be seen: it is not beyond one of the sides of the picture.
 function sides(columns) {
   const row = r => [0, 1, 2, 3].map(c => columns[4 * c + r]), w = row(3);
@@ -88,13 +91,14 @@ function trianglesNear(surface, placing, place, radius) {
     const { middle, half } = placing.box(cell);
     return Math.hypot(...place.map((x, k) => Math.max(0, Math.abs(x - middle[k]) - half[k]))) < radius;
   };
-  const runs = runsOf(cells, isWanted), corners = new Float32Array(3 * runs.reduce((all, [first, end]) => all + end - first, 0));
+  const runs = runsOf(cells, isWanted), corners = new Float32Array(3 * lengthOf(runs));
   let length = 0;
   for (const [first, end] of runs)
     for (let i = first; i < end; i += 3) {
       let isIn = true;
       for (let k = 0; k < 3; ++k) {
-        const x = points[4 * triangles[i] + k] * scale[k] + shift[k], y = points[4 * triangles[i + 1] + k] * scale[k] + shift[k];
+        const x = points[4 * triangles[i] + k] * scale[k] + shift[k];
+        const y = points[4 * triangles[i + 1] + k] * scale[k] + shift[k];
         const z = points[4 * triangles[i + 2] + k] * scale[k] + shift[k];
         corners[length + 3 * k] = x;
         corners[length + 3 * k + 1] = y;
@@ -122,7 +126,7 @@ function firstOn(surface, placing, eye, direction, isHidden) {
   for (const [first, end] of runsOf(surface.cells, meetsRay))
     for (let i = first; i < end; i += 3) {
       const p = placing.at(points, triangles[i]);
-      const u = difference(placing.at(points, triangles[i + 1]), p), v = difference(placing.at(points, triangles[i + 2]), p);
+      const [u, v] = [1, 2].map(k => difference(placing.at(points, triangles[i + k]), p));
       const normal = cross(direction, v), factor = dot(u, normal);
       if (factor === 0)
         continue;

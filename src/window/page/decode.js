@@ -164,8 +164,8 @@ function areParallel(u, i, v, j) {
   return squares === 0 || product > 0 && product ** 2 > CREASE ** 2 * squares;
 }
 
-// Adds normals of vertices, of length 127, and how open the sky is. Those at creases have copies, so that what is flat up to a
-// crease looks flat.
+// Adds normals of vertices, of length 127, and how open the sky is. Those at creases have copies, so that what
+// is flat up to a crease looks flat.
 function withNormals({ points, triangles, parts }, size) {
   const ofFaces = faceNormals(points, triangles, size);
   let sums = sumsAround(points.length / 4, triangles, ofFaces);

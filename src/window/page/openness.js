@@ -52,7 +52,8 @@ async function addOpenness(surface, size, pause) {
   const inCells = SKY_CELLS / 2.02;
   for (const back of directions(SKY_DIRECTIONS)) {
     const right = anyAcross(back), axes = [right, cross(back, right), back];
-    const factors = axes.map(a => [...a.map((x, k) => x * scale[k] * inCells), dot(a, shift) * inCells + SKY_CELLS / 2]);
+    const factors = axes.map(
+      a => [...a.map((x, k) => x * scale[k] * inCells), dot(a, shift) * inCells + SKY_CELLS / 2]);
     depths.fill(-Infinity);
     drawSky(depths, samples, 3, factors);
     drawSky(depths, points, 4, factors, cells, nearness);

@@ -52,7 +52,8 @@ class Overlay {
   }
 
   text(text, x, y, align = 'center', colour = this.ink) {
-    Object.assign(this.pen, { textAlign: align, textBaseline: 'middle', strokeStyle: this.paper, fillStyle: colour, lineWidth: 4, lineJoin: 'round' });
+    Object.assign(this.pen, { textAlign: align, textBaseline: 'middle', strokeStyle: this.paper, fillStyle: colour,
+                              lineWidth: 4, lineJoin: 'round' });
     this.pen.strokeText(text, x, y);
     this.pen.fillText(text, x, y);
   }
@@ -60,7 +61,8 @@ class Overlay {
   drawAxes() {
     const { right, up, back } = this.viewer.camera, x = 44, y = this.height - 44, length = 26;
     const colours = ['#c0392b', '#2e8b57', '#2b6cc4'];
-    const axes = [0, 1, 2].map(k => ({ name: 'xyz'[k], colour: colours[k], depth: back[k], aside: [right[k], -up[k]] }));
+    const axes = [0, 1, 2].map(
+      k => ({ name: 'xyz'[k], colour: colours[k], depth: back[k], aside: [right[k], -up[k]] }));
     for (const { name, colour, aside: [u, v] } of axes.sort((a, b) => a.depth - b.depth)) {
       this.line([[x, y], [x + length * u, y + length * v]], colour, 2.5);
       this.text(name, x + (length + 9) * u, y + (length + 9) * v, 'center', colour);
@@ -86,6 +88,7 @@ class Overlay {
     for (const place of places)
       this.line([place, place], this.ink, 7);
     if (places.length === 2)
-      this.text(this.wordsOf(this.lengthMeasured), (places[0][0] + places[1][0]) / 2, (places[0][1] + places[1][1]) / 2 - 14);
+      this.text(this.wordsOf(this.lengthMeasured), (places[0][0] + places[1][0]) / 2,
+                (places[0][1] + places[1][1]) / 2 - 14);
   }
 }

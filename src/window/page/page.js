@@ -1,4 +1,4 @@
-// The page: what is shown of the scene, and the switches.
+// The page: what is shown of the scene, and what is done with it.
 
 const scene = JSON.parse(element('scene').textContent);
 
@@ -10,12 +10,11 @@ class Page {
     this.overlay = new Overlay(viewer, scene);
     this.table = new Table(scene, (...row) => this.light(...row), () => this.refresh());
     this.makeTexts();
-    this.makeLegend();
-    this.makeFilters();
-    this.makeSwitches();
-    this.makeSaving();
+    this.filters = new Filters(this);
+    this.switches = new Switches(this);
+    this.saving = new Saving(this);
     this.pointers = new Pointers(this);
-    viewer.listeners.push(() => this.refreshTools());
+    viewer.listeners.push(() => this.switches.refreshForView());
     new ResizeObserver(() => viewer.draw()).observe(viewer.canvas);
     matchMedia('(prefers-color-scheme: dark)').onchange = () => this.takeTheme();
     this.takeTheme();
@@ -35,9 +34,10 @@ class Page {
     first?.remove();
     element('empty').textContent = scene.empty;
     element('empty').hidden = scene.empty === '';
-    const isTouched = matchMedia('(pointer: coarse)').matches;
-    element('hint').textContent = isTouched ? 'drag: turn \u00b7 two fingers: move, zoom, roll \u00b7 tap: which loop \u00b7 tap twice: turn about it'
-      : 'drag: turn \u00b7 shift or right button: move \u00b7 wheel: zoom \u00b7 double click: turn about it';
+    const hints = matchMedia('(pointer: coarse)').matches
+      ? ['drag: turn', 'two fingers: move, zoom, roll', 'tap: which loop', 'tap twice: turn about it']
+      : ['drag: turn', 'shift or right button: move', 'wheel: zoom', 'double click: turn about it'];
+    element('hint').textContent = hints.join(' \u00b7 ');
     const example = scene.columns.find(column => column.number && column !== scene.columns[0]);
     element('search').placeholder = example ? `search, or for example ${example.name} < 2` : 'search';
   }
@@ -83,8 +83,8 @@ class Page {
       node.setAttribute('aria-label', label);
       return node;
     };
-    card.replaceChildren(made('h2', { textContent: `${name} ${cell}` }), list,
-                         made('div', {}, button('\u2039', 'the one before (p)', -1), button('\u203a', 'the next one (n)', 1)));
+    const steps = made('div', {}, button('\u2039', 'the one before (p)', -1), button('\u203a', 'the next one (n)', 1));
+    card.replaceChildren(made('h2', { textContent: `${name} ${cell}` }), list, steps);
   }
 
   refreshChoice() {
@@ -98,12 +98,6 @@ class Page {
     element('copy').disabled = element('clear').disabled = chosen.length === 0;
     if (window.parent !== window) // a page around this one may do something with them
       window.parent.postMessage({ chosen: numbers }, '*');
-  }
-
-  refreshTools() {
-    element('back').disabled = !this.viewer.canGoBack;
-    element('open').checked = this.viewer.camera.isCutOpen;
-    element('open').disabled = this.lit < 0;
   }
 
   // Lights a row and its lines, and flies there if that is wanted.
@@ -148,6 +142,15 @@ class Page {
     this.overlay.draw();
   }
 
+  toggleMeasuring() {
+    const button = element('measure'), isOn = button.getAttribute('aria-pressed') !== 'true';
+    button.setAttribute('aria-pressed', isOn);
+    this.viewer.canvas.parentElement.classList.toggle('measuring', isOn);
+    this.overlay.ends = [];
+    this.say(isOn ? 'Click two points of the surface.' : '');
+    this.overlay.draw();
+  }
+
   showTip(line, x, y) {
     const tip = element('tip'), row = this.table.rows[scene.lines[line]?.row];
     tip.hidden = line < 0;
@@ -185,251 +188,10 @@ class Page {
 
   // All but what was lit and chosen.
   reset() {
-    const { viewer, table } = this, { shown } = viewer;
-    viewer.setDefaults(scene);
-    viewer.shown = shown;
-    viewer.camera.home.up = scene.up;
-    this.groupsShown.fill(true);
-    document.querySelectorAll('#legend input[type=checkbox]').forEach(box => { box.checked = true; });
-    Object.assign(table, { search: '', isColoured: false });
-    Object.assign(element('search'), { value: '' });
-    Object.assign(element('scale'), { selectedIndex: 0 });
-    table.chooseScale(0);
-    this.refreshFilters();
-    this.refreshSwitches();
+    this.switches.reset();
+    this.filters.reset();
     this.refresh();
-    viewer.goHome();
-  }
-
-  // ---- controls
-
-  makeLegend() {
-    const legend = element('legend'), { viewer } = this;
-    scene.groups.forEach((group, i) => {
-      const count = scene.lines.filter(line => line.group === i).length;
-      if (count === 0)
-        return;
-      const box = made('input', { type: 'checkbox', checked: true, id: `group${i}` });
-      box.onchange = () => {
-        this.groupsShown[i] = box.checked;
-        this.refresh();
-      };
-      const mark = made('span', { className: 'mark' });
-      mark.style.background = `rgb(${group.colour})`;
-      legend.append(made('label', {}, box, mark, group.name));
-    });
-    scene.patches.forEach(({ name, colour }) => {
-      const mark = made('span', { className: 'mark patch' });
-      mark.style.background = `rgb(${colour})`;
-      legend.append(made('label', {}, mark, name));
-    });
-    if (scene.surfaces.length > 1)
-      scene.surfaces.forEach((surface, i) => {
-        const radio = made('input', { type: 'radio', name: 'surface', checked: i === 0, id: `show${i}` });
-        radio.onchange = () => {
-          viewer.shown = i;
-          this.refresh();
-        };
-        legend.append(made('label', {}, radio, surface.name));
-      });
-  }
-
-  makeFilters() {
-    const { table } = this, choice = element('scale'), colours = element('colours').querySelector('input');
-    choice.append(...table.scales.map(({ name }, i) => made('option', { value: i, textContent: name })));
-    choice.onchange = () => {
-      table.chooseScale(Number(choice.value));
-      this.refreshFilters();
-      this.refresh();
-    };
-    colours.onchange = () => {
-      table.isColoured = colours.checked;
-      this.refreshFilters();
-      this.refresh();
-    };
-    element('search').oninput = () => {
-      table.search = element('search').value;
-      this.refresh();
-    };
-    ['shortest', 'longest'].forEach((id, i) => {
-      element(id).oninput = () => this.setRange(i, Number(element(id).value));
-      element(`${id}-value`).onchange = event => {
-        const value = Number(event.target.value), { steps } = table;
-        const step = i === 0 ? steps.findIndex(x => x >= value) : steps.filter(x => x <= value).length - 1;
-        this.setRange(i, event.target.value === '' ? i * (steps.length - 1) : step < 0 ? (1 - i) * (steps.length - 1) : step);
-      };
-    });
-    element('filters').hidden = table.rows.length === 0;
-    this.refreshFilters();
-  }
-
-  setRange(end, step) {
-    const { range } = this.table;
-    range[end] = step;
-    if (range[0] > range[1])
-      range[1 - end] = step;
-    this.refreshFilters();
-    this.refresh();
-  }
-
-  refreshFilters() {
-    const { steps, range, scale, isColoured } = this.table, last = steps.length - 1;
-    const words2 = scale.name === 'length' ? ['shortest', 'longest'] : ['smallest', 'largest'];
-    const what = scale.name === 'length' ? scene.noun : scale.name;
-    ['shortest', 'longest'].forEach((id, i) => {
-      element(`${id}-words`).textContent = `${words2[i]} ${what} shown`;
-      Object.assign(element(id), { min: 0, max: Math.max(0, last), value: range[i], disabled: last < 1 });
-      Object.assign(element(`${id}-value`), { value: last < 0 ? '' : Number(steps[range[i]].toPrecision(5)), disabled: last < 1 });
-      element(`${id}-value`).setAttribute('aria-label', `${words2[i]} ${what} shown`);
-    });
-    element('colours').querySelector('input').checked = isColoured;
-    const gradient = element('gradient');
-    gradient.hidden = !isColoured || last < 0;
-    if (!gradient.hidden)
-      [gradient.firstElementChild.textContent, gradient.lastElementChild.textContent] = [steps[0], steps[last]].map(words);
-  }
-
-  makeSwitches() {
-    const { viewer } = this, change = (id, action, event = 'onchange') => {
-      element(id)[event] = () => {
-        action(element(id));
-        this.refreshSwitches();
-        viewer.draw();
-      };
-    };
-    change('opacity', node => { viewer.opacity = node.value / 100; }, 'oninput');
-    change('cut', node => { viewer.cut.part = node.value / 1000; }, 'oninput');
-    change('axis', node => { viewer.cut.direction = node.value; });
-    change('wire', node => { viewer.isWired = node.checked; });
-    change('thick', node => { viewer.isThick = node.checked; });
-    change('open', node => { viewer.camera.front = node.checked ? this.frontOfLit() : Camera.everything; });
-    change('up', node => {
-      const sign = node.value[0] === '-' ? -1 : 1;
-      viewer.camera.home.up = node.value ? [...'xyz'].map(axis => node.value.endsWith(axis) ? sign : 0) : scene.up;
-      viewer.flyTo(viewer.camera.poseFrom(viewer.camera.back, viewer.camera.place, viewer.camera.distance, viewer.camera.front));
-    });
-    element('reset').onclick = () => this.reset();
-    element('back').onclick = () => viewer.goBack();
-    element('measure').onclick = () => this.toggleMeasuring();
-    this.makeButtons();
-    this.makeBalls();
-    element('thickness').hidden = !scene.lines.some(line => line.radii);
-    this.refreshSwitches();
-  }
-
-  makeButtons() {
-    const toggle = (id, name, attribute) => {
-      element(id).onclick = () => {
-        const isOn = document.body.classList.toggle(name);
-        element(id).setAttribute(attribute, attribute === 'aria-expanded' && id === 'panel' ? !isOn : isOn);
-        this.viewer.draw();
-      };
-    };
-    toggle('panel', 'alone', 'aria-expanded');
-    toggle('sheet', 'open', 'aria-expanded');
-    toggle('wide', 'wide', 'aria-pressed');
-    element('full').hidden = !document.fullscreenEnabled;
-    element('full').onclick = () => {
-      if (document.fullscreenElement)
-        document.exitFullscreen();
-      else
-        document.documentElement.requestFullscreen().catch(() => this.say('This browser does not let a page fill the screen.', true));
-    };
-    element('copy').onclick = () => this.copy();
-    element('clear').onclick = () => {
-      for (const row of this.table.rows)
-        row.chosen = row.box.checked = false;
-      this.refreshChoice();
-    };
-    document.querySelectorAll('.menu').forEach(menu => {
-      menu.ontoggle = () => document.querySelectorAll('.menu[open]').forEach(other => {
-        other.open = other === menu || !menu.open;
-      });
-    });
-  }
-
-  refreshSwitches() {
-    const { viewer } = this;
-    element('opacity').value = 100 * viewer.opacity;
-    element('opacity').nextElementSibling.textContent = `${Math.round(100 * viewer.opacity)}%`;
-    element('cut').value = 1000 * viewer.cut.part;
-    element('cut').nextElementSibling.textContent = viewer.cut.part >= 1 ? 'all' : `${Math.round(100 * viewer.cut.part)}%`;
-    element('axis').value = viewer.cut.direction;
-    element('wire').checked = viewer.isWired;
-    element('thick').checked = viewer.isThick;
-    if (viewer.camera.home.up === scene.up)
-      element('up').value = '';
-  }
-
-  // What of the space before the lit lines stays.
-  frontOfLit() {
-    const places = this.table.rows[this.lit].lines.flatMap(i => this.viewer.pointsOfLine(scene.lines[i]));
-    const { camera } = this.viewer, nearest = places.reduce((most, p) => Math.max(most, dot(difference(p, camera.place), camera.back)), 0);
-    return Math.max(nearest * 1.1, 1e-3);
-  }
-
-  toggleMeasuring() {
-    const button = element('measure'), isOn = button.getAttribute('aria-pressed') !== 'true';
-    button.setAttribute('aria-pressed', isOn);
-    this.viewer.canvas.parentElement.classList.toggle('measuring', isOn);
-    this.overlay.ends = [];
-    this.say(isOn ? 'Click two points of the surface.' : '');
-    this.overlay.draw();
-  }
-
-  // Lines that have a way are moved along it, from its first point.
-  makeBalls() {
-    const { viewer } = this, balls = scene.lines.filter(line => line.way !== undefined);
-    const home = balls.length > 0 ? viewer.linePoints.slice() : null;
-    document.querySelectorAll('.ball').forEach(node => { node.hidden = balls.length === 0; });
-    element('ball').oninput = () => {
-      const part = Number(element('ball').value) / 1000;
-      for (const ball of balls)
-        viewer.shiftLine(ball, home, placeOn(home, scene.lines[ball.way], part, viewer.placing.scale));
-      viewer.refillLines();
-    };
-  }
-
-  // ---- what leaves the page
-
-  makeSaving() {
-    const { canvas } = this.viewer, ratio = window.devicePixelRatio || 1, sides = ['width', 'height'].map(element);
-    element('save').closest('.menu').addEventListener('toggle', () => {
-      if (!sides[0].value)
-        [sides[0].value, sides[1].value] = [canvas.clientWidth, canvas.clientHeight].map(x => Math.round(x * ratio));
-    });
-    element('save').onclick = () => this.save();
-  }
-
-  // As large as the picture on the page, if nothing else was asked for.
-  save() {
-    const { viewer } = this, { renderer } = viewer, ratio = window.devicePixelRatio || 1;
-    if (!viewer.isReady)
-      return this.say('There is no picture to save.', true);
-    const [width, height] = ['width', 'height'].map((id, i) =>
-      clamped(Math.round(Number(element(id).value) || [viewer.canvas.clientWidth, viewer.canvas.clientHeight][i] * ratio), 16, renderer.largestSide));
-    const { aspect } = viewer.camera, drawn = made('canvas', { width, height });
-    viewer.camera.aspect = width / height;
-    const image = renderer.image(viewer, width, height, element('clear-background').checked ? [0, 0, 0, 0] : [...viewer.background, 1]);
-    viewer.camera.aspect = aspect;
-    viewer.draw();
-    drawn.getContext('2d').putImageData(image, 0, 0);
-    drawn.toBlob(blob => {
-      if (!blob)
-        return this.say('This browser cannot make a picture of that size.', true);
-      const link = made('a', { href: URL.createObjectURL(blob), download: `${scene.name}.png` });
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    });
-    this.closeMenus();
-  }
-
-  copy() {
-    element('choice').select();
-    if (navigator.clipboard && window.isSecureContext)
-      navigator.clipboard.writeText(element('choice').value).catch(() => document.execCommand('copy'));
-    else
-      document.execCommand('copy');
+    this.viewer.goHome();
   }
 }
 

@@ -78,8 +78,10 @@ class Pointers {
   // What was pointed at comes to the middle, and all turns about it.
   pivot(x, y) {
     const { viewer } = this, place = viewer.placeAt(x, y), { camera } = viewer;
-    if (place)
-      viewer.flyTo({ ...camera.pose, place, distance: Math.max(0.05, camera.distance - dot(difference(place, camera.place), camera.back)) });
+    if (!place)
+      return;
+    const nearer = dot(difference(place, camera.place), camera.back);
+    viewer.flyTo({ ...camera.pose, place, distance: Math.max(0.05, camera.distance - nearer) });
   }
 
   listenToKeys() {
@@ -91,7 +93,7 @@ class Pointers {
     };
     const actions = {
       '0': () => page.reset(), Home: () => page.reset(), Escape: () => page.escape(), Backspace: () => viewer.goBack(),
-      n: () => page.step(1), p: () => page.step(-1), s: () => page.save(), m: () => element('measure').click(),
+      n: () => page.step(1), p: () => page.step(-1), s: () => page.saving.save(), m: () => element('measure').click(),
       f: () => element('full').click(), t: () => element('panel').click(), w: () => element('wire').click(),
     };
     document.addEventListener('keydown', event => {

@@ -134,7 +134,7 @@ class Renderer {
     const surface = this.surfaces[view.shown], { columns } = view.camera.matrix();
     const [a, b, c, d] = this.cutPlane = view.cutPlane(), planes = [...sides(columns), [-a, -b, -c, d]];
     this.runs = runsOf(surface.cells, cell => meetsAll(planes, view.placing.box(cell)));
-    return this.runs.reduce((all, [first, end]) => all + end - first, 0) / 3;
+    return lengthOf(this.runs) / 3;
   }
 
   // Onto the canvas, as large as that is; with `isCoarse` less, and in half the size, which takes far less time
@@ -149,7 +149,9 @@ class Renderer {
       (this.screens ||= new Map()).set(isCoarse, { ...this.target(...size, samples), key });
     }
     const { framebuffer } = this.screens.get(isCoarse);
-    this.paint(view, { framebuffer, width: size[0], height: size[1], background, isCoarse, pixelRatio: pixelRatio * part });
+    const [drawnWidth, drawnHeight] = size;
+    this.paint(view, { framebuffer, width: drawnWidth, height: drawnHeight, background, isCoarse,
+                       pixelRatio: pixelRatio * part });
     this.copy(framebuffer, size, null, [width, height]);
   }
 
@@ -157,7 +159,8 @@ class Renderer {
     const gl = this.gl;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to);
-    gl.blitFramebuffer(0, 0, ...size, 0, 0, ...other, gl.COLOR_BUFFER_BIT, size[0] === other[0] ? gl.NEAREST : gl.LINEAR);
+    gl.blitFramebuffer(0, 0, ...size, 0, 0, ...other, gl.COLOR_BUFFER_BIT,
+                       size[0] === other[0] ? gl.NEAREST : gl.LINEAR);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
@@ -322,7 +325,8 @@ class Renderer {
     const gl = this.gl, framebuffer = gl.createFramebuffer(), buffers = [];
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     samples = Math.min(samples, gl.getParameter(gl.MAX_SAMPLES));
-    for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH24_STENCIL8, gl.DEPTH_STENCIL_ATTACHMENT]]) {
+    for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0],
+                                   [gl.DEPTH24_STENCIL8, gl.DEPTH_STENCIL_ATTACHMENT]]) {
       buffers.push(gl.createRenderbuffer());
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffers[buffers.length - 1]);
       gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);

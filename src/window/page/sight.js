@@ -31,8 +31,9 @@ class Sight {
   // Corners to the right, then upwards, then to the eye.
   addTriangle(p, depths, front) {
     const [a, b, c, d, e, f, g] = p, ux = b - a, uy = e - d, vx = c - a, vy = f - d, area = ux * vy - uy * vx;
-    const left = Math.max(0, Math.round(Math.min(a, b, c))), right = Math.min(SIGHT_CELLS, Math.round(Math.max(a, b, c)));
-    const below = Math.max(0, Math.round(Math.min(d, e, f))), above = Math.min(SIGHT_CELLS, Math.round(Math.max(d, e, f)));
+    const left = Math.max(0, Math.round(Math.min(a, b, c))), below = Math.max(0, Math.round(Math.min(d, e, f)));
+    const right = Math.min(SIGHT_CELLS, Math.round(Math.max(a, b, c)));
+    const above = Math.min(SIGHT_CELLS, Math.round(Math.max(d, e, f)));
     for (let y = below; y < above && area !== 0; ++y)
       for (let x = left; x < right; ++x) {
         const u = x + 0.5 - a, v = y + 0.5 - d, s = (u * vy - v * vx) / area, t = (v * ux - u * uy) / area;
@@ -65,7 +66,8 @@ function bestSight(surface, placing, lines, place, radius, front, usual) {
   for (const back of [usual, ...directions(32)]) {
     const sight = new Sight(back, place, 1.3 * radius);
     sight.add(corners, front * SIGHT_CELLS / 2.6 / radius);
-    const seen = lines.reduce((all, line) => all + Math.sqrt(sight.lengthSeen(line)), 0) * (1 + 0.15 * dot(back, usual));
+    const seen = (1 + 0.15 * dot(back, usual)) *
+                 lines.reduce((all, line) => all + Math.sqrt(sight.lengthSeen(line)), 0);
     if (seen > most)
       [most, best] = [seen, back];
   }

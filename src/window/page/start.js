@@ -6,7 +6,8 @@ const soon = () => new Promise(resolve => setTimeout(resolve));
 function watchContext(viewer, page) {
   viewer.canvas.addEventListener('webglcontextlost', event => {
     event.preventDefault();
-    page.say('The graphics card is not at hand at the moment. The table works; the surface comes back when the card does.', true);
+    page.say('The graphics card is not at hand at the moment. The table works; the surface comes back when ' +
+             'the card does.', true);
     viewer.draw();
   });
   viewer.canvas.addEventListener('webglcontextrestored', () => {

@@ -115,7 +115,8 @@ class Table {
     this.classes = this.scene.columns.map((_, i) => this.classOf(i));
     element('head').append(made('th', {}, made('span', { className: 'unseen', textContent: 'chosen' })));
     this.scene.columns.forEach((column, i) => {
-      const button = made('button', { type: 'button', textContent: column.name, title: column.about || `sort by ${column.name}` });
+      const title = column.about || `sort by ${column.name}`;
+      const button = made('button', { type: 'button', textContent: column.name, title });
       button.onclick = () => this.sort(i);
       element('head').append(made('th', { className: this.classes[i], scope: 'col' }, button));
     });
