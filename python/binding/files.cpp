@@ -56,13 +56,7 @@ void write(const std::string& file,
            const Watch& watch) {
   htloops::check_mesh_format(file);
   const auto soup = written_soup(points, triangles);
-  compute(0, watch, [&] {
-    try {
-      htloops::write_mesh(file, soup);
-    } catch(const htloops::Failure& failure) { // of the file, as the name is right
-      throw htloops::Failure(htloops::Exit_code::UNREADABLE_FILE, failure.what());
-    }
-  });
+  compute(0, watch, [&] { htloops::write_mesh(file, soup); });
 }
 
 // Nothing: all of them.

@@ -17,6 +17,7 @@ namespace htl_python {
 // What the module offers, by the file in which it is. The last argument of each function that
 // computes is a `Watch`; handle_tunnel_loops/_core.pyi has the others.
 void add_cleaning(pybind11::module_& module);
+void add_drawing(pybind11::module_& module);
 void add_files(pybind11::module_& module);
 void add_generators(pybind11::module_& module);
 void add_loops(pybind11::module_& module);

@@ -12,13 +12,9 @@
 #include "loop_records.h"
 #include "watch.h"
 
-#include "app/draw/pictures.h"
-#include "app/draw/scenes.h"
 #include "app/solve/backends.h"
 #include "app/solve/certification.h"
 #include "app/solve/details.h"
-#include "app/write/tables.h"
-#include "window/window.h"
 
 #include <pybind11/stl.h>
 
@@ -67,54 +63,6 @@ py::dict certify(const py::array& points,
   const auto kind = basis_kind(py::cast<std::string>(loops["basis"]));
   return certificate_of(
       compute(0, watch, [&] { return htloops::certify(mesh, pairs, kind, true); }));
-}
-
-// As far as it is drawn.
-htloops::Answer drawn_answer(const Mesh& mesh, htloops::Pairs pairs) {
-  htloops::Answer answer;
-  answer.pairs = std::move(pairs);
-  answer.boundaries = htloops::find_boundaries(mesh, false);
-  answer.bores = htloops::find_bores(mesh, answer.pairs);
-  return answer;
-}
-
-py::bytes page(const py::array& points,
-               const py::array& triangles,
-               const py::dict& loops,
-               const std::string& title,
-               const Watch& watch) {
-  const Mesh mesh = mesh_of(points, triangles);
-  htloops::Pairs pairs = pairs_of(loops, mesh);
-  return compute(0, watch, [&] {
-    const htloops::Answer answer = drawn_answer(mesh, std::move(pairs));
-    htl_scene::Scene scene = htloops::scene_of_loops(
-        {}, title, mesh, answer, htloops::list_pairs(mesh, answer),
-        std::to_string(answer.pairs.size()) + " pairs of loops\n", {"pairs = [", "]"});
-    scene.title = "Handle and tunnel loops of " + title; // which is no name of a file
-    return htl_window::page_of(scene);
-  });
-}
-
-void picture(const std::string& file,
-             const py::array& points,
-             const py::array& triangles,
-             const py::dict& loops,
-             const std::vector<double>& size,
-             const Watch& watch) {
-  if(!htloops::has_pictures)
-    throw std::invalid_argument("this build makes no pictures: libpng was not there");
-  const Mesh mesh = mesh_of(points, triangles);
-  htloops::Pairs pairs = pairs_of(loops, mesh);
-  htloops::Picture_options options;
-  options.file = file;
-  options.size = size;
-  htloops::check_picture_size(options);
-  compute(0, watch, [&] {
-    const htloops::Answer answer = drawn_answer(mesh, std::move(pairs));
-    htloops::export_picture(
-        options,
-        htloops::scene_of_loops({}, file, mesh, answer, htloops::list_pairs(mesh, answer), ""));
-  });
 }
 
 using Cost = htloops::Costs::value_type;
@@ -188,9 +136,6 @@ py::dict removal_costs(const py::array& points,
 void add_loops(py::module_& module) {
   module.def("loops", &find_loops);
   module.def("certify", &certify);
-  module.def("page", &page);
-  module.attr("has_pictures") = htloops::has_pictures;
-  module.def("picture", &picture);
   module.def("measure", &measure);
   module.def("removal_costs", &removal_costs);
 }

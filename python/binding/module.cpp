@@ -30,7 +30,8 @@ void register_exceptions(py::module_& module) {
     try {
       std::rethrow_exception(thrown);
     } catch(const htloops::Failure& failure) {
-      const bool is_file = failure.code() == htloops::Exit_code::UNREADABLE_FILE;
+      const bool is_file = failure.code() == htloops::Exit_code::UNREADABLE_FILE ||
+                           dynamic_cast<const htloops::Unwritable*>(&failure) != nullptr;
       PyErr_SetString(is_file ? PyExc_OSError : PyExc_ValueError, failure.what());
     }
   });
@@ -46,6 +47,7 @@ PYBIND11_MODULE(_core, module) {
       .def("stop", &htl_python::Watch::stop)
       .def_property_readonly("fraction", &htl_python::Watch::fraction);
   htl_python::add_cleaning(module);
+  htl_python::add_drawing(module);
   htl_python::add_files(module);
   htl_python::add_generators(module);
   htl_python::add_loops(module);

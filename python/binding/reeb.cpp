@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "answers.h"
 #include "arrays.h"
 #include "functions.h"
 #include "watch.h"
@@ -15,8 +16,12 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace htl_python {
 namespace {
@@ -26,20 +31,23 @@ using htloops::Point;
 using htloops::Reeb_answer;
 using namespace py::literals;
 
+constexpr char of_another_mesh[] = "the Reeb graph is of another mesh";
+
 py::dict nodes_of(const Reeb_answer& answer) {
   std::vector<Point> positions;
-  std::vector<double> values;
+  std::vector<double> values, radii;
   std::vector<std::int64_t> at;
   std::vector<std::string> types;
   for(const auto v : CGAL::make_range(vertices(answer.graph))) {
     const auto& node = answer.graph[v];
     positions.push_back(node.point);
     values.push_back(node.value);
+    radii.push_back(node.radius);
     at.push_back(node.vertex.idx());
     types.push_back(htloops::name_of(node.type));
   }
   return py::dict("positions"_a = rows_of<double>(positions), "values"_a = array_of(values),
-                  "vertices"_a = array_of(at), "types"_a = types);
+                  "vertices"_a = array_of(at), "types"_a = types, "radii"_a = array_of(radii));
 }
 
 py::dict arcs_of(const Reeb_answer& answer, const CGAL::Reeb_arc_shapes& shapes) {
@@ -101,11 +109,101 @@ py::dict reeb(const py::array& points,
   });
   return py::dict("nodes"_a = nodes_of(answer), "arcs"_a = arcs_of(answer, shapes),
                   "arc_of_vertex"_a = arcs_of_vertices(answer),
-                  "values"_a = array_of(answer.values),
+                  "values"_a = array_of(answer.values), "is_contracted"_a = answer.is_contracted,
+                  "is_drawn_inside"_a = answer.embedding.has_value(),
                   "number_of_cycles"_a = htloops::number_of_cycles(answer));
 }
 
+void add_nodes(const py::dict& nodes, const Mesh& mesh, Reeb_answer& answer) {
+  const auto positions = numbers_of<double>(nodes, "positions"),
+             values = numbers_of<double>(nodes, "values"),
+             radii = numbers_of<double>(nodes, "radii");
+  const auto at = numbers_of<std::int64_t>(nodes, "vertices");
+  const auto types = nodes["types"].cast<std::vector<std::string>>();
+  const std::size_t size = types.size();
+  require(positions.size() == 3 * size && values.size() == size && radii.size() == size &&
+              at.size() == size,
+          of_another_mesh);
+  for(std::size_t i = 0; i < size; ++i) {
+    auto& node = answer.graph[add_vertex(answer.graph)];
+    node.vertex = vertex_of(mesh, static_cast<py::ssize_t>(at[i]));
+    node.point = Point(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+    node.radius = radii[i];
+    node.value = values[i];
+    for(const auto type : {CGAL::Reeb_node_type::MINIMUM, CGAL::Reeb_node_type::SADDLE,
+                           CGAL::Reeb_node_type::MAXIMUM})
+      if(types[i] == htloops::name_of(type))
+        node.type = type;
+  }
+}
+
+void add_arcs(const py::dict& arcs, Reeb_answer& answer) {
+  const auto ends = numbers_of<std::int64_t>(arcs, "ends"),
+             starts = numbers_of<std::int64_t>(arcs, "starts");
+  const auto points = numbers_of<double>(arcs, "points"), radii = numbers_of<double>(arcs, "radii"),
+             lengths = numbers_of<double>(arcs, "lengths");
+  const std::size_t size = lengths.size();
+  const auto number_of_nodes = static_cast<std::int64_t>(num_vertices(answer.graph));
+  require(ends.size() == 2 * size && starts.size() == size + 1 && starts.front() == 0 &&
+              std::is_sorted(starts.begin(), starts.end()) &&
+              starts.back() == static_cast<std::int64_t>(radii.size()) &&
+              points.size() == 3 * radii.size(),
+          of_another_mesh);
+  for(std::size_t i = 0; i < size; ++i) {
+    for(const std::int64_t end : {ends[2 * i], ends[2 * i + 1]})
+      require(0 <= end && end < number_of_nodes, of_another_mesh);
+    const auto e = add_edge(static_cast<std::size_t>(ends[2 * i]),
+                            static_cast<std::size_t>(ends[2 * i + 1]), answer.graph)
+                       .first;
+    auto& arc = answer.graph[e];
+    arc.index = i;
+    arc.length = lengths[i];
+    for(auto k = static_cast<std::size_t>(starts[i]); k < static_cast<std::size_t>(starts[i + 1]);
+        ++k) {
+      arc.polyline.emplace_back(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
+      arc.radii.push_back(radii[k]);
+    }
+  }
+}
+
+// Arcs have their vertices by increasing value.
+void give_vertices(const std::vector<std::int64_t>& arc_of_vertex, Reeb_answer& answer) {
+  const auto number_of_arcs = static_cast<std::int64_t>(num_edges(answer.graph));
+  std::vector<std::vector<Mesh::Vertex_index>> vertices(num_edges(answer.graph));
+  for(std::size_t v = 0; v < arc_of_vertex.size(); ++v) {
+    const std::int64_t arc = arc_of_vertex[v];
+    require(arc < number_of_arcs, of_another_mesh);
+    answer.vertex_arc.push_back(arc < 0 ? Reeb_answer::no_arc : static_cast<std::size_t>(arc));
+    if(arc >= 0)
+      vertices[static_cast<std::size_t>(arc)].push_back(
+          Mesh::Vertex_index(static_cast<std::uint32_t>(v)));
+  }
+  for(const auto e : CGAL::make_range(edges(answer.graph))) {
+    auto& own = vertices[answer.graph[e].index];
+    std::stable_sort(own.begin(), own.end(), [&](Mesh::Vertex_index v, Mesh::Vertex_index w) {
+      return answer.values[v.idx()] < answer.values[w.idx()];
+    });
+    answer.graph[e].vertices = std::move(own);
+  }
+}
+
 } // namespace
+
+Reeb_answer reeb_answer_of(const py::dict& record, const Mesh& mesh) {
+  Reeb_answer answer;
+  answer.values = numbers_of<double>(record, "values");
+  const auto arc_of_vertex = numbers_of<std::int64_t>(record, "arc_of_vertex");
+  require(answer.values.size() == mesh.number_of_vertices() &&
+              arc_of_vertex.size() == mesh.number_of_vertices(),
+          of_another_mesh);
+  add_nodes(record["nodes"], mesh, answer);
+  add_arcs(record["arcs"], answer);
+  give_vertices(arc_of_vertex, answer);
+  answer.is_contracted = record["is_contracted"].cast<bool>();
+  if(record["is_drawn_inside"].cast<bool>())
+    answer.embedding.emplace();
+  return answer;
+}
 
 void add_reeb(py::module_& module) { module.def("reeb", &reeb); }
 

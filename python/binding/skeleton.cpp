@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "answers.h"
 #include "arrays.h"
 #include "functions.h"
 #include "watch.h"
@@ -126,19 +127,19 @@ py::dict curve_skeleton(const py::array& points,
   return record;
 }
 
-template <typename Number>
-std::vector<Number> numbers_of(const py::dict& record, const char* name) {
-  const auto array = record[name].cast<py::array_t<Number, py::array::c_style>>();
-  return {array.data(), array.data() + array.size()};
-}
-
 Skeleton_graph graph_of(const py::dict& record) {
   const std::vector<double> points = numbers_of<double>(record, "points"),
                             radii = numbers_of<double>(record, "radii");
   const std::vector<std::int64_t> components = numbers_of<std::int64_t>(record, "components"),
                                   ends = numbers_of<std::int64_t>(record, "edges");
   const std::vector<std::uint8_t> is_inlet = numbers_of<std::uint8_t>(record, "is_inlet");
-  Skeleton_graph graph(radii.size());
+  const std::size_t size = radii.size();
+  require(points.size() == 3 * size && components.size() == size && is_inlet.size() == size,
+          "the arrays of the skeleton do not fit together");
+  for(const std::int64_t end : ends)
+    require(end >= 0 && end < static_cast<std::int64_t>(size),
+            "the skeleton has edges at points that it has not");
+  Skeleton_graph graph(size);
   for(std::size_t i = 0; i < radii.size(); ++i) {
     graph[i].point = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};
     graph[i].radius = radii[i];
@@ -163,8 +164,18 @@ Skeleton_certificate certificate_of(const py::dict& record) {
   return certificate;
 }
 
-// What was returned, as it was before.
-Skeleton_answer answer_of(const py::dict& record) {
+void save_skeleton(const std::string& file, const py::dict& record, Watch& watch) {
+  const Skeleton_answer answer = skeleton_of(record);
+  const double shortest_limb = record["shortest_limb"].cast<double>();
+  compute(1, watch, [&] {
+    htloops::save_skeleton(file, answer, {"", {{"shortest_limb", shortest_limb}}});
+    return 0;
+  });
+}
+
+} // namespace
+
+Skeleton_answer skeleton_of(const py::dict& record) {
   Skeleton_answer answer;
   answer.graph = graph_of(record);
   answer.arcs = htloops::arcs_of(answer.graph);
@@ -180,17 +191,6 @@ Skeleton_answer answer_of(const py::dict& record) {
   answer.statistics.number_of_balls = counts["balls"].cast<std::size_t>();
   return answer;
 }
-
-void save_skeleton(const std::string& file, const py::dict& record, Watch& watch) {
-  const Skeleton_answer answer = answer_of(record);
-  const double shortest_limb = record["shortest_limb"].cast<double>();
-  compute(1, watch, [&] {
-    htloops::save_skeleton(file, answer, {"", {{"shortest_limb", shortest_limb}}});
-    return 0;
-  });
-}
-
-} // namespace
 
 void add_skeleton(py::module_& module) {
   module.def("curve_skeleton", &curve_skeleton);

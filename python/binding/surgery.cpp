@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "answers.h"
 #include "arrays.h"
 #include "functions.h"
 #include "loop_records.h"
@@ -15,6 +16,7 @@
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
 #include "app/solve/removal_solver.h"
+#include "app/write/tables.h"
 
 #include <pybind11/stl.h>
 
@@ -75,12 +77,12 @@ py::dict words_of(const htl::Shape_change& change) {
 }
 
 py::list records_of(const std::vector<htl::Removed_handle>& removed) {
-  static const char* const ways[] = {"cut", "fill", "whole"};
   py::list list;
   for(const htl::Removed_handle& handle : removed)
-    list.append(py::dict("pair"_a = handle.pair, "by"_a = ways[static_cast<int>(handle.by)],
+    list.append(py::dict("pair"_a = handle.pair, "by"_a = htloops::name_of(handle.by),
                          "length"_a = handle.length, "area"_a = handle.area,
-                         "volume"_a = handle.volume, "change"_a = words_of(handle.change)));
+                         "volume"_a = handle.volume, "change"_a = words_of(handle.change),
+                         "patch"_a = handle.patch));
   return list;
 }
 
@@ -102,6 +104,15 @@ py::dict words_of(const htl::Removal_report& report) {
                   "refused_necks"_a = records_of(report.refused_necks));
 }
 
+// Numbers of patches, -1 for none.
+std::vector<std::int64_t> patch_numbers(const std::vector<std::size_t>& patches) {
+  std::vector<std::int64_t> result;
+  for(const std::size_t patch : patches)
+    result.push_back(patch == htloops::Removal_answer::no_patch ? -1
+                                                                : static_cast<std::int64_t>(patch));
+  return result;
+}
+
 py::tuple remove_handles(const py::array& points,
                          const py::array& triangles,
                          const py::dict& loops,
@@ -117,7 +128,17 @@ py::tuple remove_handles(const py::array& points,
   py::dict words = words_of(answer.report);
   words["vertex_origin"] = array_of(answer.vertex_origins);
   words["face_parent"] = array_of(answer.face_parents);
+  words["face_patch"] = array_of(patch_numbers(answer.patches));
   return py::make_tuple(arrays[0], arrays[1], array_of(answer.face_origins), words);
+}
+
+Mesh::Edge_index
+edge_between(const Mesh& mesh, py::ssize_t u, py::ssize_t v, const std::string& name) {
+  const Mesh::Halfedge_index h = mesh.halfedge(vertex_of(mesh, u), vertex_of(mesh, v));
+  if(h == Mesh::Halfedge_index())
+    throw std::invalid_argument(name + ": the mesh has no edge from " + std::to_string(u) + " to " +
+                                std::to_string(v));
+  return mesh.edge(h);
 }
 
 htloops::Face_cuts flags_of(const Mesh& mesh,
@@ -126,11 +147,7 @@ htloops::Face_cuts flags_of(const Mesh& mesh,
     return {};
   htloops::Face_cuts flags(mesh.number_of_halfedges(), 0);
   for(const auto& [u, v] : edges) {
-    const Mesh::Halfedge_index h = mesh.halfedge(vertex_of(mesh, u), vertex_of(mesh, v));
-    if(h == Mesh::Halfedge_index())
-      throw std::invalid_argument("avoid: the mesh has no edge from " + std::to_string(u) + " to " +
-                                  std::to_string(v));
-    flags[mesh.edge(h).idx()] = 1;
+    flags[edge_between(mesh, u, v, "avoid").idx()] = 1;
   }
   return flags;
 }
@@ -193,7 +210,71 @@ py::list dual_cuts(const py::array& points, const py::array& triangles, int thre
   return cuts;
 }
 
+// As far as it is drawn.
+std::vector<htl::Removed_handle> removed_of(const py::list& records) {
+  std::vector<htl::Removed_handle> removed;
+  for(const py::handle& record : records) {
+    const auto number = [&](const char* name) { return record[name].cast<double>(); };
+    const py::dict change = record["change"];
+    htl::Removed_handle handle{};
+    handle.pair = record["pair"].cast<std::size_t>();
+    for(const auto way : {htl::Removal_way::CUT, htl::Removal_way::FILL, htl::Removal_way::WHOLE})
+      if(record["by"].cast<std::string>() == htloops::name_of(way))
+        handle.by = way;
+    handle.length = number("length");
+    handle.area = number("area");
+    handle.volume = number("volume");
+    handle.change.cap_ratio = change["cap_ratio"].cast<double>();
+    handle.change.displacement = change["displacement"].cast<double>();
+    handle.change.sharpest_angle = change["sharpest_angle"].cast<double>();
+    handle.patch = record["patch"].cast<std::size_t>();
+    removed.push_back(handle);
+  }
+  return removed;
+}
+
+std::vector<htl::Refused_handle> refused_of(const py::list& records) {
+  std::vector<htl::Refused_handle> refused;
+  for(const py::handle& record : records)
+    refused.push_back({record["pair"].cast<std::size_t>(), record["length"].cast<double>(),
+                       record["reason"].cast<std::string>()});
+  return refused;
+}
+
 } // namespace
+
+htloops::Removal_answer removal_of(const py::dict& report, const Mesh& after) {
+  htloops::Removal_answer removal;
+  removal.mesh = after;
+  removal.report = {report["genus_before"].cast<std::size_t>(),
+                    report["genus_after"].cast<std::size_t>(),
+                    report["components_before"].cast<std::size_t>(),
+                    report["components_after"].cast<std::size_t>(),
+                    removed_of(report["removed"]),
+                    refused_of(report["refused"]),
+                    removed_of(report["removed_necks"]),
+                    refused_of(report["refused_necks"])};
+  const std::size_t patches = removal.report.removed.size() + removal.report.removed_necks.size();
+  const auto face_patch = numbers_of<std::int64_t>(report, "face_patch");
+  require(face_patch.size() == after.number_of_faces(), "the report is of another mesh");
+  for(const std::int64_t patch : face_patch) {
+    require(patch < static_cast<std::int64_t>(patches), "the report names patches that it has not");
+    removal.patches.push_back(patch < 0 ? htloops::Removal_answer::no_patch
+                                        : static_cast<std::size_t>(patch));
+  }
+  for(const auto* handles : {&removal.report.removed, &removal.report.removed_necks})
+    for(const htl::Removed_handle& handle : *handles)
+      require(handle.patch < patches, "the report names patches that it has not");
+  removal.face_origins = numbers_of<std::int64_t>(report, "face_origin");
+  return removal;
+}
+
+std::vector<Mesh::Edge_index> edges_between(const py::array& ends, const Mesh& mesh) {
+  std::vector<Mesh::Edge_index> edges;
+  for(const auto& [u, v] : ends.cast<std::vector<std::array<py::ssize_t, 2>>>())
+    edges.push_back(edge_between(mesh, u, v, "the cut"));
+  return edges;
+}
 
 void add_surgery(py::module_& module) {
   module.def("remove_handles", &remove_handles);

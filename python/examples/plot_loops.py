@@ -17,7 +17,7 @@ import handle_tunnel_loops as htl
 #   plotter = pyvista.Plotter()
 #   plotter.add_mesh(pyvista.make_tri_mesh(V, F), opacity=0.5)
 #   for loop in L.handles:
-#       plotter.add_lines(loop.closed(), connected=True, color="tab:green")
+#       plotter.add_lines(loop.closed(), connected=True, color="tab:orange")
 #   plotter.show()
 
 
@@ -27,7 +27,7 @@ def main(mesh=None, out="loops.png"):
     axes = plt.figure(figsize=(8, 6)).add_subplot(projection="3d")
     axes.plot_trisurf(*V.T, triangles=F, color="lightgrey", alpha=0.3)
     for loop in L.handles + L.tunnels:
-        axes.plot(*loop.closed().T, color="tab:green" if loop.kind == "handle" else "tab:red")
+        axes.plot(*loop.closed().T, color="tab:orange" if loop.kind == "handle" else "tab:blue")
     axes.set_box_aspect(V.max(axis=0) - V.min(axis=0))
     plt.savefig(out)
     return L

@@ -33,7 +33,8 @@ Functions
     cut_to_disk     a mesh cut open along a short graph, for parametrization
     cut_edges       the edges of that cut, as seams of textures
     dual_cuts       for each loop, a cut that crosses it once, for circuits
-    html            a page in which the mesh with its loops can be turned
+    html            a page in which the mesh can be turned, with its loops, its skeleton or Reeb graph, a cut, or
+                    without some of its handles
     picture         the same as a picture, if has_pictures is true of the build
     survey          a table of many meshes
     generate        a mesh to try things on
@@ -50,9 +51,9 @@ raised). ``threads`` is how many a call takes at most, whatever others take at t
 
 from ._core import Interrupted, MeshError, has_pictures, version as _version
 from ._cleaning import clean
-from ._loops import Certificate, Loop, Loops, certify, html, loops
+from ._loops import Certificate, Loop, Loops, certify, loops
 from ._measures import Balls, Measures, RemovalCosts, Way, measure, removal_costs
-from ._pictures import picture
+from ._pictures import html, picture
 from ._reeb import ReebGraph, reeb
 from ._skeleton import CurveSkeleton, SkeletonCertificate, curve_skeleton
 from ._sources import generate, kinds, read, repair, write

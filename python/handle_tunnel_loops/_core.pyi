@@ -71,13 +71,20 @@ def removal_costs(
     points: np.ndarray, triangles: np.ndarray, loops: _Record, threads: int, watch: Watch
 ) -> _Record: ...
 def page(
-    points: np.ndarray, triangles: np.ndarray, loops: _Record, title: str, watch: Watch
-) -> bytes: ...
-def picture(
-    file: str,
+    file: bytes,
     points: np.ndarray,
     triangles: np.ndarray,
-    loops: _Record,
+    kind: str,
+    record: _Record,
+    title: str,
+    watch: Watch,
+) -> None: ...
+def picture(
+    file: bytes,
+    points: np.ndarray,
+    triangles: np.ndarray,
+    kind: str,
+    record: _Record,
     size: Sequence[float],
     watch: Watch,
 ) -> None: ...

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator
-import os
 import weakref
 from dataclasses import dataclass, fields
 from typing import Any, Dict, List, Literal, Optional, Sequence, Tuple, get_args
@@ -266,20 +265,3 @@ def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
     if isinstance(F, Loops):
         F, L = None, F
     return certificate_of(computed("certify", None, _core.certify, *arrays(V, F), record_of(L)))
-
-
-def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str = "mesh") -> None:
-    """Writes a page, one file at `path`, in which the mesh with its loops can be turned in any browser.
-
-    ``html(mesh, L, path)`` takes one mesh object.
-    """
-    if isinstance(F, Loops):
-        F, L, path = None, F, L if path is None else path
-    record = record_of(L)
-    if path is None:
-        raise TypeError('html() writes a file, and path, its name, is missing: html(V, F, L, "loops.html")')
-    path = os.fsdecode(path)
-    title = word("title", title).encode("utf-8", "backslashreplace").decode("utf-8")
-    page = computed("html", None, _core.page, *arrays(V, F), record, title)
-    with open(path, "wb") as file:
-        file.write(page)

@@ -1,16 +1,21 @@
-"""Pictures of meshes with their loops."""
+"""Pictures and pages of meshes with what was found on them."""
 
 from __future__ import annotations
 
 import base64
 import os
 import tempfile
-from typing import Any, List, Optional, Sequence
+from typing import Any, Dict, List, Optional, Sequence, Tuple
+
+import numpy as np
 
 from . import _core
-from ._arguments import wholes
+from ._arguments import numbers, wholes, word
 from ._loops import Loops, record_of
 from ._meshes import arrays
+from ._records import Record
+from ._reeb import ReebGraph
+from ._skeleton import CurveSkeleton
 from ._waiting import computed
 
 _most_faces = 10**6
@@ -19,33 +24,96 @@ _most_faces = 10**6
 def picture(
     V: Any, F: Any = None, L: Any = None, path: Any = None, *, size: Optional[Sequence[int]] = None
 ) -> Optional[bytes]:
-    """A picture of a mesh with its loops, in PNG, as ``htloops loops --picture`` draws it.
+    """A picture of a mesh with its loops, or with something else, in PNG, as the program draws it.
+
+    `L` is what one of these functions returned for the mesh: `loops`, `curve_skeleton`, `reeb`, `remove_handles`
+    (all of it; the picture shows the mesh before and after) or `cut_edges`.
 
     It is written to `path`, or returned as bytes without one, for ``IPython.display.Image``. `size` is its
-    width and height in pixels. ``picture(mesh, L, path)`` takes one mesh object.
+    width and height in pixels. ``picture(mesh, L, path)`` takes one mesh object; with edges of a cut it is
+    ``picture(mesh, None, edges, path)``.
     """
-    if isinstance(F, Loops):
-        F, L, path = None, F, L if path is None else path
+    F, L, path = _sorted_out(F, L, path)
     if path is not None and not os.fsdecode(path).lower().endswith(".png"):
         raise ValueError(f"a picture is written in PNG: its name ends in .png, not {path!r}")
-    content = _drawn(V, F, L, size)
     if path is None:
-        return content
-    with open(os.fsdecode(path), "wb") as file:
-        file.write(content)
+        return _drawn(V, F, L, size)
+    _draw(_absolute(path), V, F, L, size)
     return None
 
 
-def _drawn(V: Any, F: Any, L: Any, size: Optional[Sequence[int]]) -> bytes:
+def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str = "mesh") -> None:
+    """Writes a page, one file at `path`, in which the mesh can be turned in any browser, with its loops, or with
+    what else `picture` takes as `L`.
+
+    ``html(mesh, L, path)`` takes one mesh object.
+    """
+    F, L, path = _sorted_out(F, L, path)
+    kind, record = _drawable(L)
+    if path is None:
+        raise TypeError('html() writes a file, and path, its name, is missing: html(V, F, L, "loops.html")')
+    title = word("title", title).encode("utf-8", "backslashreplace").decode("utf-8")
+    computed("html", None, _core.page, _absolute(path), *arrays(V, F), kind, record, title)
+
+
+def _absolute(path: Any) -> bytes:
+    """So that no name means the standard output; as bytes, as names need not be text."""
+    return os.fsencode(os.path.abspath(os.fsdecode(path)))
+
+
+def _is_removal(L: Any) -> bool:
+    return isinstance(L, tuple) and len(L) == 4 and isinstance(L[3], dict)
+
+
+def _sorted_out(F: Any, L: Any, path: Any) -> Tuple[Any, Any, Any]:
+    """What is given where a mesh is one object: the others are one place before theirs."""
+    if isinstance(F, (Loops, CurveSkeleton, ReebGraph)) or _is_removal(F):
+        return None, F, L if path is None else path
+    return F, L, path
+
+
+def _drawable(L: Any) -> Tuple[str, Dict[str, Any]]:
+    """What the compiled part takes for it: what it is, and its record."""
+    if isinstance(L, CurveSkeleton):
+        return "skeleton", Record("the skeleton", L._record)
+    if isinstance(L, ReebGraph):
+        return "reeb", Record("the Reeb graph", L._record)
+    if _is_removal(L):
+        points, triangles = arrays(L[0], L[1])
+        report = Record("the report", {**L[3], "face_origin": numbers("face_origin", L[2], "integers")})
+        return "removal", {
+            "points": points,
+            "triangles": triangles,
+            "loops": record_of(report["loops"], "loops of the report"),
+            "report": report,
+        }
+    if isinstance(L, np.ndarray):
+        edges = numbers("edges of a cut", L, "integers")
+        if edges.ndim == 2 and edges.shape[1] == 2:
+            return "cut", {"edges": edges}
+    if not isinstance(L, Loops):
+        raise TypeError(
+            f"L has to be what loops() returns, not of type {type(L).__name__}; or what curve_skeleton(), reeb(), "
+            "remove_handles() or cut_edges() does"
+        )
+    return "loops", record_of(L)
+
+
+def _draw(name: bytes, V: Any, F: Any, L: Any, size: Optional[Sequence[int]]) -> None:
     pixels: List[int] = [] if size is None else wholes("size", size, 1)
     if size is not None and len(pixels) != 2:
         raise ValueError("size is a width and a height in pixels")
+    kind, record = _drawable(L)
+    try:
+        computed("picture", None, _core.picture, name, *arrays(V, F), kind, record, pixels)
+    except ValueError as error:  # of options of the program, in words of Python
+        raise type(error)(str(error).replace("--size", "size")) from None
+
+
+def _drawn(V: Any, F: Any, L: Any, size: Optional[Sequence[int]]) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
-        name = os.path.join(folder, "loops.png")
-        try:
-            computed("picture", None, _core.picture, name, *arrays(V, F), record_of(L), pixels)
-        except ValueError as error:  # of options of the program, in words of Python
-            raise type(error)(str(error).replace("--size", "size")) from None
+        name = os.path.join(folder, "picture.png")
+        _draw(os.fsencode(name), V, F, L, size)
         with open(name, "rb") as file:
             return file.read()
 

@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 from ._arguments import numbers, real_or_none, threads_of, vertices, word
 from ._meshes import arrays
-from ._records import Comparable
+from ._records import Comparable, Record
 from ._waiting import computed
 
 Measure = Literal["limbs", "persistence", "length", "area", "vertices"]
@@ -25,6 +25,8 @@ class ReebGraph(Comparable):
     """
 
     def __init__(self, record: Dict[str, Any]):
+        self._record = record
+        record = Record("the Reeb graph", record)
         nodes, arcs = record["nodes"], record["arcs"]
         self.positions: np.ndarray = nodes["positions"]  #: (n, 3): where nodes are drawn
         self.node_values: np.ndarray = nodes["values"]  #: (n,): of the function

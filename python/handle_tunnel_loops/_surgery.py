@@ -67,14 +67,19 @@ def remove_handles(
     V, F : the new mesh; what stays keeps its order
     face_origin : (m',): for each face the face of the given mesh that it is, or -1 if it is new
     report : genus_before, genus_after, components_before and _after, and lists of dictionaries: removed
-        (pair, by, length, area, volume, change), refused (pair, length, reason), removed_necks,
-        refused_necks. Each change, and that of all, says how the shape differs: volume_removed,
+        (pair, by, length, area, volume of the solid taken away, negative if it was put in, change, patch),
+        refused (pair, length, reason), removed_necks, refused_necks. Each change, and that of all, says how the shape differs: volume_removed,
         volume_added, cap_area; cap_ratio, the largest area of a cap over that of a circle as long as its rim;
         displacement, the largest distance of a cap from the old surface; burial, that of what was taken
         out with solid from the caps; sharpest_angle, at an edge of a cap, in degrees; box_growth. And
         vertex_origin : (n',): for each vertex the one of the given mesh that it is, or -1 if it is new
         face_parent : (m',): for each face the one of the given mesh that it is or is a part of, as there are
             at the rims of caps, or -1 if it is of a cap
+        face_patch : (m',): for each face of a cap the handle that it closes, by its place in removed followed by
+            removed_necks, else -1. Handles that were removed together have the same caps: the patch of each
+            in these lists is the place of the first of them
+        loops : those along which handles were looked for
+    ``picture`` and ``html`` show what was done, given all of this.
     """
     methods = {}
     if isinstance(pairs, Mapping):
@@ -104,7 +109,9 @@ def remove_handles(
         for name, length in lengths.items():
             chosen[name] = length_or_none(name, length, record["diagonal"])
         rest = part(callback, begin, 1)
-        return computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
+        removed = computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
+        removed[3]["loops"] = loops
+        return removed
 
 
 def _range(bores: Any) -> List[float]:

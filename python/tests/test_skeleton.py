@@ -143,7 +143,7 @@ def test_all_formats(genus_3, tmp_path):
     assert all(np.array_equal(*pair) for pair in zip(lines, S.arcs)) and len(lines) == len(S.arcs)
     with pytest.raises(ValueError, match="one of .json"):
         S.save(tmp_path / "a.png")
-    with pytest.raises(ValueError, match="cannot write"):
+    with pytest.raises(OSError, match="cannot write"):
         S.save(tmp_path / "missing" / "a.swc")
 
 

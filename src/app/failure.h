@@ -39,6 +39,14 @@ private:
   Exit_code code_;
 };
 
+/// A file that cannot be written.
+class Unwritable : public Failure
+{
+public:
+  explicit Unwritable(const std::string& message)
+      : Failure(Exit_code::WRONG_USAGE, message) {}
+};
+
 inline Failure wrong_usage(const std::string& message) { return {Exit_code::WRONG_USAGE, message}; }
 
 } // namespace htloops

@@ -10,6 +10,7 @@ import os
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 RED, BLUE, DARK, PALE = "#c8202c", "#1c68b8", "#30363f", "#8a93a0"
+ORANGE = "#d55e00"  # of handle loops
 GREY, WARM = (196, 204, 216), "#f0a030"
 FONT = "font-family='Helvetica,Arial,sans-serif'"
 
@@ -229,14 +230,14 @@ def definitions():
     u = math.radians(-38)
     handle, tunnel = torus.handle(u), torus.tunnel()
     svg.area([screen(torus.point(*p)) for p in tunnel], BLUE, 0.22)
-    svg.area([screen(torus.point(*p)) for p in handle], RED, 0.30)
+    svg.area([screen(torus.point(*p)) for p in handle], ORANGE, 0.30)
     torus.curve(svg, screen, tunnel, BLUE)
-    torus.curve(svg, screen, handle, RED)
+    torus.curve(svg, screen, handle, ORANGE)
     crossing = screen(torus.point(u, math.pi))
     svg.dot(crossing, DARK, 4)
-    svg.text(640, 196, "handle loop", 16, RED, "middle", "bold")
+    svg.text(640, 196, "handle loop", 16, ORANGE, "middle", "bold")
     svg.text(640, 216, "its disc lies\nin the solid", 13)
-    svg.line([(586, 202), screen(torus.point(u, 0.25))], RED, 1)
+    svg.line([(586, 202), screen(torus.point(u, 0.25))], ORANGE, 1)
     svg.text(86, 74, "tunnel loop", 16, BLUE, "middle", "bold")
     svg.text(86, 94, "its disc lies outside,\nacross the hole", 13)
     svg.line([(142, 72), screen(torus.point(math.radians(140), math.pi))], BLUE, 1)
@@ -423,14 +424,14 @@ def linking():
         push_handle, push_tunnel = (0.0, 0.22) if k == 0 else (0.22, 0.0)
         handle = [screen(torus.point(*p, push_handle)) for p in torus.handle(u)]
         if k == 0:
-            svg.area(handle, RED, 0.35)
+            svg.area(handle, ORANGE, 0.35)
             tunnel = [screen(torus.point(*p, push_tunnel)) for p in torus.tunnel()]
-            torus.curve(svg, screen, torus.handle(u), RED)
+            torus.curve(svg, screen, torus.handle(u), ORANGE)
             svg.line(tunnel, BLUE, 2.6, closed=True)
         else:
-            svg.area(handle, RED, 0.2)
+            svg.area(handle, ORANGE, 0.2)
             torus.curve(svg, screen, torus.tunnel(), BLUE)
-            svg.line(handle, RED, 2.6, closed=True)
+            svg.line(handle, ORANGE, 2.6, closed=True)
             svg.dot(screen(torus.point(u, math.pi)), BLUE, 4.5)
     svg.text(465, 182, "handle, pushed tunnel: 0", 13, weight="bold")
     svg.text(465, 200, "the row of the handle is zero:\nit bounds inside", 12)

@@ -41,7 +41,7 @@ bool is_dangling_link(const fs::path& path) {
 
 void fail_to_write(const std::string& target, const std::string& reason) {
   throw_if_interrupted(); // while it waited, or by who does not read any more
-  throw wrong_usage("cannot write " + printable(target) + ": " + reason);
+  throw Unwritable("cannot write " + printable(target) + ": " + reason);
 }
 
 void fail_to_write(const std::string& target) { fail_to_write(target, std::strerror(errno)); }
