@@ -539,7 +539,10 @@ htl_scene::Scene scene_of_cleaning(const std::string& mesh_file,
   for(const std::vector<Point>& loop : cleaned.closed_loops)
     add_line(scene, loop, true, 0);
   scene.table.noun = "step";
-  scene.table.columns = {{"step", false}, {"count", true}, {"done", false}, {"left", false}};
+  scene.table.columns = {{"step", false, "What was looked for"},
+                         {"count", true, "How many there were"},
+                         {"done", false, "What was done about it"},
+                         {"left", false, "What was left as it is"}};
   for(const Clean_record& record : cleaned.records) {
     scene.table.rows.push_back({name_of(record.step), std::to_string(record.count),
                                 boost::algorithm::join(record.done, "; "),

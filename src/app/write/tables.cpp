@@ -517,7 +517,7 @@ std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer) {
 std::vector<std::string> cells_of(const Listed_arc& arc) {
   return {std::to_string(arc.arc),
           formatted("%.6g", arc.length),
-          formatted("%.6g", arc.girth),
+          arc.girth > 0. ? formatted("%.6g", arc.girth) : "",
           std::to_string(arc.number_of_vertices),
           arc.from,
           arc.to};

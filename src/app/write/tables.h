@@ -115,7 +115,11 @@ std::vector<Listed_arc> list_arcs(const Mesh& mesh, const Reeb_answer& answer);
 constexpr Table_column arc_columns[] = {
     {"arc", 5, true, {}, "The number of the arc"},
     {"length", 12, true, {}, "The length of the line that is drawn for the arc"},
-    {"girth", 12, true, {}, "The length of the contour halfway along the arc"},
+    {"girth",
+     12,
+     true,
+     {},
+     "The length of the contour halfway along the arc, if it passes a face there"},
     {"vertices", 9, true, {}, "How many vertices of the mesh belong to its part of the surface"},
     {"from",
      14,

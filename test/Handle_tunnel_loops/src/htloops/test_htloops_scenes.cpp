@@ -8,7 +8,10 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "app/draw/scenes.h"
+#include "app/solve/details.h"
+#include "app/solve/reeb_solver.h"
 #include "app/solve/removal_solver.h"
+#include "app/solve/skeleton_solver.h"
 
 #include "Meshes_of_soups.h"
 
@@ -146,6 +149,62 @@ INSTANTIATE_TEST_SUITE_P(Meshes,
                                          Recipe{"plates", {9000, 12, 0}},
                                          Recipe{"foam", {12000, 15, 0}}));
 
+void expect_explanations(const Scene& scene) {
+  EXPECT_FALSE(scene.table.columns.empty());
+  for(const htl_scene::Column& column : scene.table.columns)
+    EXPECT_GT(column.explanation.size(), column.name.size()) << column.name;
+}
+
+std::string legend_of(const Scene& scene) {
+  std::string legend;
+  for(std::size_t group = 0; group < scene.groups.size(); ++group)
+    if(std::any_of(scene.lines.begin(), scene.lines.end(),
+                   [&](const htl_scene::Line& line) { return line.group == group; }))
+      legend += scene.groups[group].name + "\n";
+  return legend;
+}
+
+class Explained_scenes : public testing::Test
+{
+protected:
+  const Mesh mesh_ = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 2, 0}});
+  htloops::Progress told_;
+};
+
+TEST_F(Explained_scenes, LoopsWithAllThatIsKnownOfThem) {
+  htloops::Answer answer;
+  answer.pairs = find_loops(mesh_);
+  answer.measures = htloops::find_measures(mesh_, answer.pairs, 0.1, told_);
+  answer.costs = htloops::find_costs(mesh_, answer.pairs, told_);
+  const Scene scene =
+      htloops::scene_of_loops({}, "a.off", mesh_, answer, htloops::list_pairs(mesh_, answer), "");
+  EXPECT_EQ(scene.table.columns.size(), 14u);
+  expect_explanations(scene);
+  answer.throats.are_wanted = true;
+  expect_explanations(htloops::scene_of_loops({}, "a.off", mesh_, answer, {}, ""));
+}
+
+TEST_F(Explained_scenes, ReebGraphs) {
+  htloops::Reeb_options options;
+  options.do_draw_inside = true;
+  const htloops::Reeb_answer answer = htloops::find_reeb_graph(mesh_, options, told_);
+  const Scene scene = htloops::scene_of_reeb_graph({}, "a.off", mesh_, answer,
+                                                   htloops::list_arcs(mesh_, answer), "");
+  expect_explanations(scene);
+  const std::string legend = legend_of(scene);
+  EXPECT_NE(legend.find("joints (saddles)\n"), std::string::npos) << legend;
+  EXPECT_NE(legend.find("arcs on cycles\n"), std::string::npos) << legend;
+}
+
+TEST_F(Explained_scenes, Skeletons) {
+  const htloops::Skeleton_answer answer = htloops::find_skeleton(mesh_, {}, told_);
+  const Scene scene = htloops::scene_of_skeleton({}, "a.off", mesh_, answer, "");
+  expect_explanations(scene);
+  const std::string legend = legend_of(scene);
+  EXPECT_NE(legend.find("joints\n"), std::string::npos) << legend;
+  EXPECT_EQ(legend.find("bone"), std::string::npos) << legend;
+}
+
 // A knotted tube cannot be filled.
 TEST(Refused_removal, LeavesLoopsOnBothSurfaces) {
   const Mesh mesh = mesh_of<Mesh>(Recipe{"knot", {1500, 1, 0}});
@@ -172,6 +231,7 @@ TEST(Refused_removal, LeavesLoopsOnBothSurfaces) {
     EXPECT_EQ(line.surface, htl_scene::every_surface);
   EXPECT_EQ(scene.table.parts, std::vector<std::size_t>{htl_scene::no_part});
   EXPECT_EQ(scene.table.columns.back().name, "why not");
+  expect_explanations(scene);
   EXPECT_NE(scene.table.rows[0].back(), "");
 }
 
