@@ -224,6 +224,8 @@ std::vector<htl::Removed_handle> removed_of(const py::list& records) {
     handle.length = number("length");
     handle.area = number("area");
     handle.volume = number("volume");
+    handle.change.volume_removed = change["volume_removed"].cast<double>();
+    handle.change.volume_added = change["volume_added"].cast<double>();
     handle.change.cap_ratio = change["cap_ratio"].cast<double>();
     handle.change.displacement = change["displacement"].cast<double>();
     handle.change.sharpest_angle = change["sharpest_angle"].cast<double>();

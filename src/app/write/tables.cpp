@@ -606,10 +606,7 @@ const char* name_of(Removal_way way) {
 
 namespace {
 
-// A number with a sign would need to be explained.
-std::string words_of_volume(double removed) {
-  return formatted("%.4g", std::abs(removed)) + (removed < 0. ? " added" : " removed");
-}
+std::string volume_if_any(double volume) { return volume > 0. ? formatted("%.4g", volume) : ""; }
 
 } // namespace
 
@@ -618,7 +615,8 @@ std::vector<std::string> cells_of(const Removed_handle& handle, const std::strin
           name_of(handle.by),
           formatted("%.6g", handle.length),
           formatted("%.4g", handle.area),
-          words_of_volume(handle.volume),
+          volume_if_any(handle.change.volume_removed),
+          volume_if_any(handle.change.volume_added),
           formatted("%.2f", handle.change.cap_ratio),
           formatted("%.2f", handle.length > 0. ? handle.change.displacement / handle.length : 0.),
           formatted("%.0f", handle.change.sharpest_angle)};

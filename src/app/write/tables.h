@@ -159,8 +159,16 @@ constexpr Table_column skeleton_columns[] = {
      {},
      "The length over the distance between both ends: 1 if it is straight"},
     {"cycle", 5, false, {}, "Whether the arc is on a cycle, one of which goes around each hole"},
-    {"from", 12, false, {}, "The joint, end or inlet where the arc begins, with its number"},
-    {"to", 0, false, {}, "The joint, end or inlet where the arc ends, with its number"}};
+    {"from",
+     12,
+     false,
+     {},
+     "The joint, end or inlet where the arc begins, with its number; of a ring a bend"},
+    {"to",
+     0,
+     false,
+     {},
+     "The joint, end or inlet where the arc ends, with its number; of a ring a bend"}};
 
 /// the numbers of the arcs, the longest first.
 std::vector<std::size_t> arcs_by_length(const Skeleton_answer& answer);
@@ -188,7 +196,8 @@ constexpr Table_column removal_columns[] = {
      "Whether the handle was cut, filled, or taken out whole with its surroundings"},
     {"length", 12, true, {}, "The length of the loop along which the handle was removed"},
     {"area", 10, true, {}, "The area of the caps, the new faces that close the surface"},
-    {"volume", 16, true, {}, "How much solid was removed, or added"},
+    {"removes", 9, true, {}, "The volume of solid that was taken away"},
+    {"adds", 9, true, {}, "The volume of solid that was put in"},
     {"cap", 6, true, {}, "The area of the largest cap over that of a circle as long as its rim"},
     {"moved",
      7,
