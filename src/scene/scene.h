@@ -41,9 +41,9 @@ struct Line_group
 {
   std::string name;
   Colour colour;
-  double width = 1.;        ///< as a multiple of that of others, below 4000
-  bool is_outlined = false; ///< in pictures, as it has a dark surface below
-  bool is_in_pictures = true;
+  double width = 1.;          ///< as a multiple of that of others, below 4000
+  bool is_outlined = false;   ///< in pictures, as it has a dark surface below
+  bool is_in_pictures = true; ///< and what a page looks at when it is asked for a row
 };
 
 constexpr std::size_t every_surface = static_cast<std::size_t>(-1);

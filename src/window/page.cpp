@@ -38,7 +38,10 @@ Json json_of(const Scene& scene, const Surface& surface, const Encoded_surface& 
 }
 
 Json json_of(const Line_group& group) {
-  return {{"name", group.name}, {"colour", group.colour}, {"width", group.width}};
+  Json json = {{"name", group.name}, {"colour", group.colour}, {"width", group.width}};
+  if(!group.is_in_pictures)
+    json["aside"] = true;
+  return json;
 }
 
 Json json_of(const Line& line) {

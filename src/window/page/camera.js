@@ -121,7 +121,7 @@ class Camera {
 
   // How far the eye is from a place around which so much is to be seen.
   static distanceFor(radius) {
-    return clamped(radius * 2.5, 0.012, 1.05) / Camera.halfAngle;
+    return clamped(radius * 2.5, 0.006, 1.05) / Camera.halfAngle;
   }
 
   // Where the eye is, and the direction in which it sees (x, y), from -1 to 1.

@@ -7,6 +7,7 @@ class Page {
     this.viewer = viewer;
     this.lit = -1;
     this.groupsShown = scene.groups.map(() => true);
+    this.ways = new Set(scene.lines.map(line => line.way)); // shown for the lit row
     this.overlay = new Overlay(viewer, scene);
     this.table = new Table(scene, (...row) => this.light(...row), () => this.refresh());
     this.makeTexts();
@@ -48,12 +49,13 @@ class Page {
     const { viewer, table } = this;
     table.refresh(this.lit);
     let count = 0;
-    const colours = scene.lines.map(line => {
-      const row = table.rows[line.row];
-      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden || row.index === this.lit) &&
+    const colours = scene.lines.map((line, i) => {
+      const row = table.rows[line.row], isOfLit = row?.index === this.lit;
+      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden || isOfLit) &&
+                    (isOfLit || !this.ways.has(i)) &&
                     (line.surface ?? viewer.shown) === viewer.shown;
       count += shown ? 1 : 0;
-      const state = !shown ? 0 : row && row.index === this.lit ? 255 : 128;
+      const state = !shown ? 0 : isOfLit ? 255 : 128;
       return [...(table.isColoured && row ? table.colourOf(row) : scene.groups[line.group].colour), state];
     });
     viewer.numberShown = count;
@@ -77,7 +79,8 @@ class Page {
     if (!row)
       return;
     const [[name, cell], ...others] = this.table.namesAndCells(row), list = made('dl');
-    others.forEach(([term, text]) => list.append(made('dt', { textContent: term }), made('dd', { textContent: text })));
+    list.append(...others.map(([term, text]) =>
+      made('div', {}, made('dt', { textContent: term }), made('dd', { textContent: text }))));
     const button = (text, label, by) => {
       const node = made('button', { type: 'button', textContent: text, title: label, onclick: () => this.step(by) });
       node.setAttribute('aria-label', label);
@@ -107,7 +110,8 @@ class Page {
     this.refresh();
     if (!row)
       return;
-    const lines = row.lines.map(i => scene.lines[i]);
+    const all = row.lines.map(i => scene.lines[i]), loops = all.filter(line => !scene.groups[line.group].aside);
+    const lines = loops.length > 0 ? loops : all;
     this.viewer.normalOfLoop = lines.length > 0 ? normalOf(this.viewer.pointsOfLine(lines[0])) : null;
     if (isLookedAt)
       this.viewer.lookAt(lines, scene.views[index]);
