@@ -17,7 +17,6 @@ namespace htl_picture {
 namespace {
 
 constexpr float eye_distance = 5.f; // in units of the frame: far enough for parallels to look so
-constexpr double margin = 0.04;     // of the picture, on each side
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -50,13 +49,14 @@ Camera::Camera(const std::vector<const std::vector<Point>*>& seen,
                const Point& view,
                const Point& up,
                int width,
-               int height) {
+               int height,
+               double part) {
   const Point z = normalized(view, {0., 0., 1.});
   // Looking along the upright direction, any other will do.
   const Point x = normalized(cross(up, z), normalized(cross({0., 1., 0.}, z), {1., 0., 0.}));
   axes_ = {x, cross(z, x), z};
   choose_unit(seen);
-  fill_picture(seen, width, height);
+  fill_picture(seen, width, height, part);
 }
 
 Vector_3 Camera::in_frame(const Point& p) const {
@@ -100,7 +100,8 @@ void Camera::choose_unit(const std::vector<const std::vector<Point>*>& seen) {
 
 void Camera::fill_picture(const std::vector<const std::vector<Point>*>& seen,
                           int width,
-                          int height) {
+                          int height,
+                          double part) {
   Extent x, y;
   for(const auto* points : seen)
     for(const Point& p : *points) {
@@ -108,8 +109,7 @@ void Camera::fill_picture(const std::vector<const std::vector<Point>*>& seen,
       x.add(q.x);
       y.add(q.y);
     }
-  const double room = 1. - 2. * margin;
-  scale_ = static_cast<float>(room * (std::min)(width / x.size(), height / y.size()));
+  scale_ = static_cast<float>(part * (std::min)(width / x.size(), height / y.size()));
   shift_x_ = static_cast<float>(width / 2. - scale_ * x.middle());
   shift_y_ = static_cast<float>(height / 2. - scale_ * y.middle());
 }

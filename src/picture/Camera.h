@@ -34,6 +34,9 @@ inline Vector_3 cross(Vector_3 a, Vector_3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// the product of each coordinate.
+inline Vector_3 modulate(Vector_3 a, Vector_3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
 /// the vector of length one, or the null vector.
 inline Vector_3 normalized(Vector_3 a) {
   const float length = std::sqrt(dot(a, a));
@@ -48,7 +51,8 @@ struct Projected_point
 };
 
 /*!
-A mild perspective view of what is in a set of points, at a size that fills a picture.
+A mild perspective view of what is in a set of points, at a size that fills a picture, or a part of
+it.
 
 The camera's frame has its origin in the middle of the points, x to the right, y upwards and z to
 the eye; its unit is the largest distance of a point from the origin.
@@ -60,10 +64,14 @@ public:
          const Point& view,
          const Point& up,
          int width,
-         int height);
+         int height,
+         double part = usual_part);
+
+  static constexpr double usual_part = 0.92; ///< of the picture that is filled
 
   Vector_3 in_frame(const Point& p) const;
   float in_frame(double length) const { return static_cast<float>(length / unit_); }
+  double in_space(float length) const { return double(length) * unit_; }
   Projected_point project(Vector_3 in_frame) const;
 
   /// the point in the camera's frame that is seen at a place of the picture.
@@ -77,7 +85,10 @@ public:
 
 private:
   void choose_unit(const std::vector<const std::vector<Point>*>& seen);
-  void fill_picture(const std::vector<const std::vector<Point>*>& seen, int width, int height);
+  void fill_picture(const std::vector<const std::vector<Point>*>& seen,
+                    int width,
+                    int height,
+                    double part);
 
   std::array<Point, 3> axes_;
   Point centre_ = {0., 0., 0.};

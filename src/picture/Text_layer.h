@@ -10,6 +10,7 @@
 #ifndef HTL_PICTURE_TEXT_LAYER_H
 #define HTL_PICTURE_TEXT_LAYER_H
 
+#include "Stroke.h"
 #include "picture.h"
 
 #include <array>
@@ -51,10 +52,12 @@ struct Rectangle
 };
 
 /*!
-Words on a picture: a legend in a corner, and labels, none of which lies on another.
+Words on a picture: a legend in a corner, and labels, none of which lies on another, and what
+belongs to them.
 
-A label is written beside that of its places where it hides least. There may be no room at all: then
-it is left out, so that the rest can be read.
+A label is written beside that of its places where it hides least; or further away, with a thin line
+that leads to it, which crosses no other. There may be no room at all: then it is left out, so that
+the rest can be read.
 */
 class Text_layer
 {
@@ -66,13 +69,23 @@ public:
 
   Text_layer(int width, int height, double text_height);
 
-  void add_legend(const std::vector<Legend_entry>& entries);
+  /// puts it into the corner where it hides least.
+  void add_legend(const std::vector<Legend_entry>& entries, const Cost& cost);
 
   /// returns whether there was room. A legend comes before all labels.
   bool add_label(const std::string& text,
                  Colour colour,
                  const std::vector<Pixel>& places,
                  const Cost& cost);
+
+  /// adds a circle around what is too small to be found. Labels do not lie on it.
+  void add_ring(const Ring& ring);
+
+  /// adds a bar of a length in pixels, with a text, in the lower left corner.
+  void add_scale_bar(int length, const std::string& text);
+
+  /// writes in the middle below.
+  void add_caption(const std::string& text);
 
   /// writes all of it on a picture.
   void draw_on(std::vector<Colour>& pixels) const;
@@ -86,7 +99,15 @@ private:
   };
 
   bool is_free(const Rectangle& box) const;
+  bool is_free(const Stroke& leader) const;
+  std::optional<Rectangle>
+  beside(const std::vector<Pixel>& places, int width, int height, const Cost& cost) const;
+  std::optional<Rectangle>
+  further_away(const Pixel& place, int width, int height, const Cost& cost) const;
+  Stroke leader_to(const Pixel& place, const Rectangle& box) const;
   void draw_text(const Text& text, std::vector<Colour>& pixels) const;
+  template <typename Shape>
+  void draw_shape(const Shape& shape, const Rectangle& box, std::vector<Colour>& pixels) const;
   void blend(int x, int y, Colour colour, float part, std::vector<Colour>& pixels) const;
 
   int width_, height_;
@@ -94,7 +115,9 @@ private:
   int margin_;
   std::vector<Text> texts_;
   std::vector<Rectangle> taken_;
-  std::optional<Rectangle> legend_box_;
+  std::vector<Rectangle> backgrounds_;
+  std::vector<Stroke> strokes_, leaders_;
+  std::vector<Ring> rings_;
   std::vector<std::pair<Rectangle, Colour>> legend_lines_;
 };
 

@@ -21,6 +21,8 @@ double signed_area(Projected_point a, Projected_point b, double x, double y) {
   return (double(b.x) - a.x) * (y - a.y) - (double(b.y) - a.y) * (x - a.x);
 }
 
+constexpr float rim = 1.55f; // beside a line, where others make room, in units of half its width
+
 } // namespace
 
 Surface_layer::Surface_layer(const std::vector<Projected_point>& points,
@@ -137,7 +139,7 @@ void Line_layer::draw_line(std::uint32_t number, const Line& line) {
 }
 
 void Line_layer::draw_segment(std::uint32_t line, Place a, Place b, float lift) {
-  const float widest = (std::max)(a.radius, b.radius);
+  const float widest = rim * (std::max)(a.radius, b.radius);
   const int first_y = (std::max)(0, int((std::min)(a.y, b.y) - widest));
   const int last_y = (std::min)(surface_.height() - 1, int((std::max)(a.y, b.y) + widest));
   const float dx = b.x - a.x, dy = b.y - a.y, squared_length = dx * dx + dy * dy;
@@ -156,7 +158,7 @@ void Line_layer::draw_segment(std::uint32_t line, Place a, Place b, float lift) 
           squared_length > 0.f ? std::clamp((px * dx + py * dy) / squared_length, 0.f, 1.f) : 0.f;
       const float squared_distance = (px - t * dx) * (px - t * dx) + (py - t * dy) * (py - t * dy);
       const float radius = a.radius + t * (b.radius - a.radius);
-      if(squared_distance <= radius * radius)
+      if(squared_distance <= rim * rim * radius * radius)
         draw_sample(line, x, y,
                     {{0.f, 0.f, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth)}, radius},
                     std::sqrt(squared_distance), lift);
@@ -175,11 +177,27 @@ void Line_layer::draw_sample(
   const bool is_in_front = (front - lift * radius) * surface < 1.f;
 
   Sample& sample = (is_in_front ? in_front_ : behind_).made_at(x, y);
+  if(across > 1.f) { // what is nearer than others leaves a gap beside it
+    const float nearest = depth - radius;
+    if(nearest * sample.inverse_depth_of_rim < 1.f) {
+      sample.inverse_depth_of_rim = 1.f / nearest;
+      sample.line_of_rim = line;
+    }
+    return;
+  }
   // Where segments of a line join, the middle of one covers the rim of the other's round end.
   const bool is_joint =
       sample.line == line && std::abs(front * sample.inverse_depth - 1.f) < 2.f * radius / front;
-  if(is_joint ? across < sample.across : front * sample.inverse_depth < 1.f)
-    sample = {1.f / front, line, across};
+  // Of lines that cross on the surface, the first is on top.
+  const bool is_nearer = sample.line == no_line || sample.line == line
+                             ? front * sample.inverse_depth < 1.f
+                             : front < 1.f / sample.inverse_depth - radius;
+  if(is_joint ? across < sample.across : is_nearer) {
+    sample.inverse_depth = 1.f / front;
+    sample.line = line;
+    sample.across = across;
+    sample.radius = radius;
+  }
 }
 
 } // namespace htl_picture

@@ -11,6 +11,7 @@
 #define HTL_PICTURE_PICTURE_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -58,8 +59,22 @@ struct Options
   Colour surface_colour = {204, 212, 222};
   Colour background = {255, 255, 255};
   std::vector<Legend_entry> legend = {}; ///< in a corner; none if empty
+  bool has_scale_bar = false;            ///< how long a round number is in the middle
+  std::string unit = {};                 ///< of that, as it is written; empty if it is not known
+  bool has_rings = false;                ///< around closed lines that are too small to be found
   /// is called again and again while the picture is drawn, and may end that by throwing.
   std::function<void()> look = [] {};
+};
+
+/// A surface with lines; of several each has its part of the picture, side by side, as one camera
+/// sees them.
+struct Panel
+{
+  const std::vector<Point>& points;
+  const std::vector<Triangle>& triangles;
+  const std::vector<Colour>& triangle_colours; ///< of all triangles, or none
+  const std::vector<Line>& lines;
+  std::string caption = {}; ///< below it; none if empty
 };
 
 /// whether labels and legends are written: the build found a font.
@@ -69,12 +84,21 @@ bool has_font();
 /// of which takes some 65 bytes.
 void check_size(std::size_t width, std::size_t height);
 
-/// the content of a PNG file, of triangles that all have a colour, or none. Throws
-/// `std::runtime_error` if the size is not one of a picture, or a coordinate is not finite.
+/// the content of a PNG file. Throws `std::runtime_error` if the size is not one of a picture, or a
+/// coordinate is not finite.
+std::string encode_picture(const std::vector<Panel>& panels, const Options& options = Options());
+
+/// of one surface.
 std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Triangle>& triangles,
                            const std::vector<Colour>& triangle_colours,
                            const std::vector<Line>& lines,
+                           const Options& options = Options());
+
+/// of some lines, by their numbers, large. What is nearer to the eye is cut away, and a small
+/// picture in a corner tells where they are.
+std::string encode_closeup(const Panel& panel,
+                           const std::vector<std::size_t>& lines,
                            const Options& options = Options());
 
 } // namespace htl_picture

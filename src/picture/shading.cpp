@@ -102,9 +102,6 @@ std::vector<float> blur(const std::vector<float>& values,
   return blurred;
 }
 
-/// the product of each coordinate.
-Vector_3 modulate(Vector_3 a, Vector_3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-
 } // namespace
 
 Corner_normals::Corner_normals(const std::vector<Vector_3>& points,
@@ -155,19 +152,22 @@ Colour to_srgb(Vector_3 linear) {
 }
 
 Vector_3 shade_surface(Vector_3 colour, Vector_3 normal, float openness) {
-  static const Vector_3 key = normalized({-0.45f, 0.65f, 0.75f});
-  static const Vector_3 fill = normalized({0.8f, -0.1f, 0.55f});
+  static const Vector_3 key = normalized({-0.5f, 0.6f, 0.75f});
+  static const Vector_3 fill = normalized({0.85f, 0.05f, 0.5f});
+  static const Vector_3 back = normalized({0.3f, 0.9f, -0.35f});
   static const Vector_3 highlight = normalized(key + Vector_3{0.f, 0.f, 1.f});
 
   const float sky = 0.5f + 0.5f * normal.y;
+  const float lit = 0.25f + 0.75f * openness; // little of any light gets into a cavity
   const Vector_3 light =
-      openness * (Vector_3{0.20f, 0.21f, 0.24f} + sky * Vector_3{0.13f, 0.14f, 0.16f}) +
-      (0.35f + 0.65f * openness) * (diffuse(normal, key) * Vector_3{0.74f, 0.72f, 0.68f} +
-                                    diffuse(normal, fill) * Vector_3{0.13f, 0.14f, 0.17f});
-  const float gloss = 0.10f * std::pow((std::max)(0.f, dot(normal, highlight)), 30.f) * openness;
+      openness * (Vector_3{0.17f, 0.18f, 0.21f} + sky * Vector_3{0.15f, 0.16f, 0.18f}) +
+      lit * (diffuse(normal, key) * Vector_3{0.62f, 0.60f, 0.57f} +
+             diffuse(normal, fill) * Vector_3{0.19f, 0.20f, 0.23f} +
+             diffuse(normal, back) * Vector_3{0.16f, 0.16f, 0.17f});
+  const float gloss = 0.07f * std::pow((std::max)(0.f, dot(normal, highlight)), 30.f) * openness;
   // A darker rim sets one part of the surface off from another and from the background.
   const float facing = std::clamp(normal.z, 0.f, 1.f);
-  const float rim = 0.55f + 0.45f * (1.f - (1.f - facing) * (1.f - facing) * (1.f - facing));
+  const float rim = 0.7f + 0.3f * (1.f - (1.f - facing) * (1.f - facing) * (1.f - facing));
   return rim * modulate(colour, light) + Vector_3{gloss, gloss, gloss};
 }
 

@@ -40,8 +40,8 @@ Vector_3 to_linear(const Colour& srgb);
 Colour to_srgb(Vector_3 linear);
 
 /// the light that a surface reflects to the eye, in a camera's frame: a key light from the upper
-/// left, a fill light from the right, and the sky. `openness` in [0, 1] is the share of the sky
-/// that is not covered.
+/// left, a fill light from the right, one from above and behind, and the sky. `openness` in [0, 1]
+/// is the share of the sky that is not covered.
 Vector_3 shade_surface(Vector_3 colour, Vector_3 normal, float openness);
 
 /// the same for a line, seen at a distance `across` in [0, 1] from its middle.

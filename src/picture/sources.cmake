@@ -2,10 +2,14 @@
 set(HTL_PICTURE_SOURCES
   Camera.cpp
   Font.cpp
+  Painter.cpp
+  Text_layer.cpp
+  annotations.cpp
+  cut_away.cpp
+  encode_png.cpp
   layers.cpp
   picture.cpp
-  shading.cpp
-  Text_layer.cpp)
+  shading.cpp)
 
 # htl_embed_font(<output>): a font as a source.
 function(htl_embed_font output)

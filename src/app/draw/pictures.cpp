@@ -11,6 +11,7 @@
 
 #ifdef HTLOOPS_HAS_PICTURE
 
+#include "draw/view.h"
 #include "failure.h"
 #include "file_names.h"
 #include "interrupt.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,30 +30,42 @@
 namespace htloops {
 namespace {
 
-// What of the lines is in a picture of the first surface.
-bool is_drawn(const htl_scene::Scene& scene, const htl_scene::Line& line) {
+// Whether a line is in the picture of a surface.
+bool is_drawn(const htl_scene::Scene& scene, const htl_scene::Line& line, std::size_t surface) {
   return scene.groups[line.group].is_in_pictures &&
-         (line.surface == htl_scene::every_surface || line.surface == 0);
+         (line.surface == htl_scene::every_surface || line.surface == surface);
 }
 
-std::vector<htl_picture::Line> drawn_lines(const htl_scene::Scene& scene,
-                                           const Picture_options& options) {
+// What is drawn of a surface.
+struct Drawing
+{
   std::vector<htl_picture::Line> lines;
+  std::vector<std::size_t> rows; // of the lines
+  std::vector<Colour> triangle_colours;
+};
+
+Drawing
+drawing_of(const htl_scene::Scene& scene, std::size_t surface, const Picture_options& options) {
+  Drawing drawing;
   for(const htl_scene::Line& line : scene.lines)
-    if(is_drawn(scene, line)) {
+    if(is_drawn(scene, line, surface)) {
       const htl_scene::Line_group& group = scene.groups[line.group];
-      lines.push_back({line.points, group.colour, line.closed, options.has_labels ? line.label : "",
-                       group.is_outlined, group.width,
-                       options.has_tubes ? line.radii : std::vector<double>()});
+      drawing.lines.push_back({line.points, group.colour, line.closed,
+                               options.has_labels ? line.label : "", group.is_outlined, group.width,
+                               options.has_tubes ? line.radii : std::vector<double>()});
+      drawing.rows.push_back(line.row);
     }
-  return lines;
+  const htl_scene::Surface& drawn = scene.surfaces[surface];
+  for(const std::uint32_t part : drawn.triangle_parts)
+    drawing.triangle_colours.push_back(drawn.part_colours[part]);
+  return drawing;
 }
 
 // How many lines of each group there are, and what the colours of surfaces mean.
 std::vector<htl_picture::Legend_entry> legend_of(const htl_scene::Scene& scene) {
   std::vector<std::size_t> counts(scene.groups.size());
   for(const htl_scene::Line& line : scene.lines)
-    counts[line.group] += is_drawn(scene, line) ? 1 : 0;
+    counts[line.group] += is_drawn(scene, line, 0) ? 1 : 0;
   std::vector<htl_picture::Legend_entry> legend;
   for(std::size_t i = 0; i < counts.size(); ++i)
     if(const auto& group = scene.groups[i]; counts[i] > 0)
@@ -61,17 +75,78 @@ std::vector<htl_picture::Legend_entry> legend_of(const htl_scene::Scene& scene) 
   return legend;
 }
 
-std::vector<Colour> colours_of_triangles(const htl_scene::Surface& surface) {
-  std::vector<Colour> colours;
-  for(const std::uint32_t part : surface.triangle_parts)
-    colours.push_back(surface.part_colours[part]);
-  return colours;
-}
-
 // Hidden lines are the paler the more there are: what matters is what is in front of them.
 double opacity_before(std::size_t lines) {
   constexpr double few = 30.;
   return 1. - 0.5 * (std::min)(1., std::sqrt(few / (std::max)(double(lines), 1.)));
+}
+
+htl_picture::Options options_of(const Picture_options& options, const htl_scene::Scene& scene) {
+  htl_picture::Options picture;
+  picture.view = scene.view;
+  picture.up = scene.up;
+  picture.surface_colour = scene.surface_colour;
+  if(scene.surfaces.size() > 1) { // side by side
+    picture.width = 2000;
+    picture.height = 1000;
+  }
+  if(!options.size.empty()) {
+    picture.width = static_cast<int>(options.size[0]);
+    picture.height = static_cast<int>(options.size[1]);
+    picture.line_width_px *= picture.height / 1200.;
+    picture.line_width_px = (std::max)(picture.line_width_px, 3.);
+  }
+  picture.look = throw_if_interrupted;
+  picture.has_rings = true;
+  if(options.has_legend) {
+    picture.legend = legend_of(scene);
+    picture.has_scale_bar = true;
+    picture.unit = scene.unit;
+  }
+  return picture;
+}
+
+// A pair, as it is seen best if no other view was asked for; what cannot be seen from outside is
+// cut free.
+std::string closeup_of(const Picture_options& options,
+                       const htl_scene::Scene& scene,
+                       const Drawing& drawing,
+                       const htl_picture::Panel& panel,
+                       htl_picture::Options picture) {
+  const std::vector<std::size_t>& numbers = scene.table.numbers;
+  const auto row = std::find(numbers.begin(), numbers.end(), *options.closeup);
+  if(row == numbers.end())
+    throw wrong_usage("--closeup " + std::to_string(*options.closeup) +
+                      ": there is no such pair among those that are listed");
+  std::vector<std::size_t> lines;
+  std::vector<Polyline> loops;
+  for(std::size_t i = 0; i < drawing.lines.size(); ++i)
+    if(drawing.rows[i] == static_cast<std::size_t>(row - numbers.begin())) {
+      lines.push_back(i);
+      loops.push_back(drawing.lines[i].points);
+    }
+  if(!options.is_view_given)
+    if(const auto best = best_views(scene.surfaces[0], {loops}, scene.up).front())
+      picture.view = *best;
+  return htl_picture::encode_closeup(panel, lines, picture);
+}
+
+std::string content_of(const Picture_options& options, const htl_scene::Scene& scene) {
+  std::vector<Drawing> drawings;
+  for(std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    drawings.push_back(drawing_of(scene, i, options));
+  std::vector<htl_picture::Panel> panels;
+  for(std::size_t i = 0; i < drawings.size(); ++i) {
+    const htl_scene::Surface& surface = scene.surfaces[i];
+    panels.push_back({surface.points, surface.triangles, drawings[i].triangle_colours,
+                      drawings[i].lines, scene.surfaces.size() > 1 ? surface.name : ""});
+  }
+  htl_picture::Options picture = options_of(options, scene);
+  picture.surface_opacity =
+      options.opacity.value_or(scene.has_bones ? opacity_around_bones_in_pictures
+                                               : opacity_before(drawings[0].lines.size()));
+  return options.closeup ? closeup_of(options, scene, drawings[0], panels[0], picture)
+                         : htl_picture::encode_picture(panels, picture);
 }
 
 } // namespace
@@ -90,34 +165,17 @@ void check_picture_size(const Picture_options& options) {
 }
 
 void export_picture(const Picture_options& options, const htl_scene::Scene& scene) {
-  const std::vector<htl_picture::Line> lines = drawn_lines(scene, options);
-  htl_picture::Options picture;
-  picture.view = scene.view;
-  picture.up = scene.up;
-  picture.surface_colour = scene.surface_colour;
-  if(!options.size.empty()) {
-    picture.width = static_cast<int>(options.size[0]);
-    picture.height = static_cast<int>(options.size[1]);
-    picture.line_width_px *= picture.height / 1200.;
-    picture.line_width_px = (std::max)(picture.line_width_px, 3.);
-  }
-  picture.look = throw_if_interrupted;
-  picture.surface_opacity = options.opacity.value_or(
-      scene.has_bones ? opacity_around_bones_in_pictures : opacity_before(lines.size()));
-  if(options.has_legend)
-    picture.legend = legend_of(scene);
-  const std::string& file = options.file;
   std::string content;
   try {
-    const htl_scene::Surface& surface = scene.surfaces[0];
-    content = htl_picture::encode_picture(surface.points, surface.triangles,
-                                          colours_of_triangles(surface), lines, picture);
+    content = content_of(options, scene);
+  } catch(const Failure&) {
+    throw;
   } catch(const std::runtime_error& error) {
-    throw wrong_usage("--picture " + printable(file) + ": " + error.what());
+    throw wrong_usage("--picture " + printable(options.file) + ": " + error.what());
   }
   // The file is begun when the picture is there, which takes its time, and never by libpng, which
   // would remove what it cannot write to.
-  write_text(file, content);
+  write_text(options.file, content);
 }
 
 } // namespace htloops

@@ -248,6 +248,14 @@ bool Seen_lines::is_seen(const Point_on_line& point, const Depth_map& depths) co
          depths.is_free(point.point, facing > other ? first : second);
 }
 
+// How much the surface at a point is turned to the eye, 0 to 1.
+double Seen_lines::facing_of(const Point_on_line& point, const Depth_map& depths) {
+  const auto& [first, second] = point.normals;
+  if(first == Vector{})
+    return 1.;
+  return (std::max)({dot(first, depths.from()), dot(second, depths.from()), 0.});
+}
+
 Seen_lines::View Seen_lines::view_of(const Depth_map& depths) const {
   View view;
   auto point = points_on_lines_.begin();

@@ -73,7 +73,7 @@ public:
   {
     double length;     ///< in a unit in which the surface has radius 1
     double seen = 0.;  ///< the length that is not hidden
-    double large = 0.; ///< of that, what remains of it in the plane of the picture
+    double large = 0.; ///< of that, what remains of it in the picture, where slopes count less
   };
 
   struct View
@@ -96,6 +96,7 @@ private:
   void choose_cells(const std::vector<htl_scene::Triangle>& triangles);
   void find_normals(const htl_scene::Surface& surface);
   bool is_seen(const Point_on_line& point, const Depth_map& depths) const;
+  static double facing_of(const Point_on_line& point, const Depth_map& depths);
   View view_of(const Depth_map& depths) const;
 
   std::vector<Vector> points_; // of the surface, in the unit ball

@@ -34,8 +34,8 @@ struct Candidate
 
 // Things are looked at from a little above, hardly ever from below.
 double weight_of_height(double height) {
-  const double too_high = (std::max)(0., height - 0.6), too_low = (std::max)(0., 0.15 - height);
-  return 1. - 0.5 * too_high - 0.35 * too_low;
+  const double too_high = (std::max)(0., height - 0.55), too_low = (std::max)(0., 0.15 - height);
+  return 1. - 0.7 * too_high - 0.4 * too_low;
 }
 
 // From the right of what is taken for the front, and a little above.
@@ -203,7 +203,7 @@ std::vector<std::size_t> spread(const std::vector<std::vector<double>>& values_b
 // The directions from which a group is seen best.
 std::vector<std::size_t> best_for(const std::vector<std::vector<double>>& values_by_direction,
                                   std::size_t group) {
-  constexpr std::size_t count = 3;
+  constexpr std::size_t count = 5;
   std::vector<double> values;
   for(const std::vector<double>& of_groups : values_by_direction)
     values.push_back(of_groups[group]);
@@ -242,14 +242,14 @@ std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
   for(const Candidate& candidate : candidates) {
     values.emplace_back();
     for(const auto& [share, large] : group_views(seen.estimate(candidate.from), lines_in_group))
-      values.back().push_back(candidate.weight * (share + large));
+      values.back().push_back(candidate.weight * (1.5 * share + 0.5 * large));
   }
   std::vector<double> largest(groups.size(), 0.);
   const auto look_from = [&](std::size_t d) {
     const std::vector<Group_view> views =
         group_views(seen.measure(candidates[d].from), lines_in_group);
     for(std::size_t g = 0; g < groups.size(); ++g)
-      if(const double value = candidates[d].weight * (views[g].share + views[g].large);
+      if(const double value = candidates[d].weight * (1.5 * views[g].share + 0.5 * views[g].large);
          views[g].share >= 0.5 && value > largest[g])
       {
         largest[g] = value;
@@ -262,7 +262,7 @@ std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
   std::size_t tries = 6;
   for(std::size_t g = 0; g < groups.size(); ++g)
     for(const std::size_t d : best_for(values, g))
-      if(!best[g] && values[d][g] > 0.6 && tries > 0) {
+      if(!best[g] && values[d][g] > 0.5 && tries > 0) {
         look_from(d);
         --tries;
       }

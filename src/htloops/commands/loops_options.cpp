@@ -58,6 +58,7 @@ void add_output_options(CLI::App& command, Loops_options& options) {
   add_output(command, "--layers", "FILE.ply", options.layers_file,
              "the mesh with the layers of the first pass, and when its fronts came");
   add_picture_options(command, options, "the loops");
+  add_closeup_option(command, options);
   add_page_option(command, options, "the mesh and the loops");
   add_gltf_option(command, options, "the loops");
   add_part(command, "--moment", options.moment,
@@ -299,6 +300,7 @@ void add_measure_options(CLI::App& command, Loops_options& options) {
   add_json_option(command, options, "the loops with their measures");
   add_table_options(command, options);
   add_picture_options(command, options, "the loops");
+  add_closeup_option(command, options);
   add_page_option(command, options, "the mesh, the loops and the balls");
   add_channels_option(command, options);
   add_view_options(command, options);

@@ -105,12 +105,12 @@ void check_picture(const Picture_options& picture) {
 void add_word_options(CLI::App& command, Picture_options& picture) {
   command
       .add_flag("--labels", picture.has_labels,
-                "with --picture: numbers beside the lines, where there is room; of handles\n"
-                "diameters, too")
+                "with --picture: numbers beside the lines that are seen, the smallest first; of\n"
+                "handles diameters, too")
       ->needs("--picture");
   command
       .add_flag("--legend", picture.has_legend,
-                "with --picture: what the colours of the lines mean, in a corner")
+                "with --picture: what the colours of the lines mean, and a scale, in corners")
       ->needs("--picture");
 }
 
@@ -312,8 +312,11 @@ bool is_looked_at(const Common_options& options) {
 }
 
 void show_scene(const Common_options& options, const htl_scene::Scene& scene) {
-  if(!options.picture.file.empty())
-    export_picture(options.picture, scene);
+  if(!options.picture.file.empty()) {
+    Picture_options picture = options.picture;
+    picture.is_view_given = !options.view.from.empty();
+    export_picture(picture, scene);
+  }
   if(!options.page_file.empty())
     write_page(options.page_file, scene);
 }
@@ -383,6 +386,18 @@ void add_picture_options(CLI::App& command,
       ->needs("--picture");
   if(has_words)
     add_word_options(command, options.picture);
+}
+
+void add_closeup_option(CLI::App& command, Common_options& options) {
+  if(has_pictures)
+    command
+        .add_option(
+            "--closeup", options.picture.closeup,
+            "with --picture: one pair large, with what is before it cut away, and where it\n"
+            "is")
+        ->option_text("PAIR")
+        ->check(why_no_count)
+        ->needs("--picture");
 }
 
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what) {

@@ -179,6 +179,7 @@ void add_picture_options(CLI::App& command,
                          const std::string& what,
                          bool has_words = true,
                          const std::string& opacity = "0.5, and more the more lines there are");
+void add_closeup_option(CLI::App& command, Common_options& options);
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what);
 void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what);
 void add_view_options(CLI::App& command, Common_options& options);

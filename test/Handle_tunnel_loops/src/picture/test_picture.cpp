@@ -258,7 +258,7 @@ TEST_F(Written_picture, LabelsDoNotCoverEachOther) {
   int written = 0;
   for(int i = 0; i < 20; ++i)
     written += texts.add_label("8", {255, 0, 0}, {{320, 240}}, cost);
-  EXPECT_EQ(written, 4); // on four sides of the one place
+  EXPECT_EQ(written, 5); // on four sides of the one place, and one with a line that leads to it
   EXPECT_TRUE(texts.add_label("8", {255, 0, 0}, {{320, 240}, {100, 100}}, cost));
   EXPECT_FALSE(texts.add_label("8", {255, 0, 0}, {{-50, 0}, {700, 500}}, cost)); // outside
 }
@@ -287,6 +287,148 @@ TEST_F(Written_picture, OfAFewPixelsIsDrawn) {
     EXPECT_EQ(picture.width, size);
     EXPECT_EQ(picture.height, size);
   }
+}
+
+TEST_F(Written_picture, LabelsWithoutRoomHaveALineThatLeadsToThem) {
+  htl_picture::Text_layer texts(640, 480, 12.);
+  texts.add_ring({320.f, 240.f, 60.f, 2.f, {0, 0, 0}}); // what is beside the place is taken
+  ASSERT_TRUE(texts.add_label("8", {255, 0, 0}, {{320, 240}}, [](const auto&) { return 0.; }));
+  std::vector<Colour> pixels(640 * 480, Colour{255, 255, 255});
+  texts.draw_on(pixels);
+  std::size_t red = 0;
+  for(const Colour& pixel : pixels)
+    red += is_reddish(pixel);
+  EXPECT_GT(red, 60u); // pixels, which the letter alone does not have
+}
+
+TEST_F(Written_picture, HasAScaleBarOfARoundLength) {
+  options.width = 640;
+  options.height = 480;
+  const Picture plain = draw(cube(), {});
+  options.has_scale_bar = true;
+  const auto length_of_bar = [&](double size) {
+    const Picture picture = draw(cube(size), {});
+    int longest = 0; // of dark pixels in a row, in the lower left corner
+    for(int y = 400; y < 480; ++y) {
+      int run = 0;
+      for(int x = 0; x < 200; ++x) {
+        run = picture.at(x, y)[0] < 120 ? run + 1 : 0;
+        longest = (std::max)(longest, run);
+      }
+    }
+    return longest;
+  };
+  // The side of a cube is 0.92 of the height at the front, and a little less in the middle.
+  const double side = 480. * 0.92 * 0.9;
+  EXPECT_NEAR(length_of_bar(1.), 0.2 * side, 0.03 * side);
+  EXPECT_NEAR(length_of_bar(0.001), 0.2 * side, 0.03 * side);
+  EXPECT_NEAR(length_of_bar(3.), side / 3., 0.03 * side);
+}
+
+Line small_loop(Point p, double size) {
+  Line loop = {{}, {255, 0, 0}, true};
+  for(const auto& [dx, dz] :
+      {std::pair{0., 0.}, std::pair{1., 0.}, std::pair{1., 1.}, std::pair{0., 1.}})
+    loop.points.push_back({p[0] + size * dx, p[1], p[2] + size * dz});
+  return loop;
+}
+
+TEST_F(Drawn_picture, HasARingAroundASmallLoopThatIsSeen) {
+  options.width = 640;
+  options.height = 480;
+  options.surface_opacity = 1.;
+  const auto reds = [&](const Line& line) { return draw(cube(), {line}).count(is_reddish); };
+  const Line speck = small_loop({0.5, 0., 0.5}, 0.01), large = small_loop({0.3, 0., 0.3}, 0.4);
+  const Line hidden = small_loop({0.5, 1., 0.5}, 0.01);
+  const auto without = reds(speck), of_large = reds(large);
+  options.has_rings = true;
+  EXPECT_GT(reds(speck), without + 10);
+  EXPECT_EQ(reds(large), of_large);
+  EXPECT_EQ(reds(hidden), 0);
+}
+
+TEST_F(Drawn_picture, LeavesAGapBesideALineThatCrossesOthers) {
+  options.width = options.height = 300;
+  const Colour green = {0, 255, 0};
+  const auto is_green = [](const Colour& c) { return c[1] > c[0] + 40 && c[1] > c[2] + 40; };
+  // Upright, and before it or behind it one that lies.
+  const auto greens_beside = [&](double y) {
+    const Line lying = {{{0.2, 0., 0.5}, {0.8, 0., 0.5}}, {255, 0, 0}, false};
+    const Line upright = {{{0.5, y, 0.2}, {0.5, y, 0.8}}, green, false};
+    const Picture picture = draw({}, {lying, upright});
+    int column = 0;
+    for(int i = 0; i < picture.height; ++i)
+      column += is_green(picture.at(150, i));
+    return column;
+  };
+  options.line_width_px = 10.;
+  // Not only as much as the other covers is missing of that which is behind, but a gap on both
+  // sides.
+  EXPECT_GE(greens_beside(-0.3) - greens_beside(0.3), 12);
+}
+
+TEST_F(Drawn_picture, DrawsTheEdgeOfWhatIsBeforeSomethingElse) {
+  // A small square before a large one, both turned to the eye.
+  Mesh squares;
+  for(const auto& [size, y] : {std::pair{1., 0.}, std::pair{0.4, -0.3}})
+    for(const auto& [u, v] :
+        {std::pair{-1., -1.}, std::pair{1., -1.}, std::pair{1., 1.}, std::pair{-1., 1.}})
+      squares.points.push_back({size * u, y, size * v});
+  squares.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  const Picture picture = draw(squares);
+  const int middle = picture.at(80, 60)[0];
+  int darkest = 255;
+  for(int x = 30; x < 80; ++x)
+    darkest = (std::min)(darkest, int(picture.at(x, 60)[0]));
+  EXPECT_LT(darkest, middle - 20);
+  // There is none on a flat side.
+  EXPECT_NEAR(picture.at(75, 60)[0], middle, 6);
+}
+
+TEST_F(Drawn_picture, ShowsSurfacesSideBySideAsOneCameraSeesThem) {
+  const Mesh large = cube(), small = cube(0.5);
+  options.width = 240;
+  const std::vector<Line> none;
+  const Picture picture = decoded(htl_picture::encode_picture(
+      {{large.points, large.triangles, {}, none}, {small.points, small.triangles, {}, none}},
+      options));
+  EXPECT_EQ(picture.width, 240);
+  const auto covered = [&](int first, int last) {
+    int count = 0;
+    for(int y = 0; y < picture.height; ++y)
+      for(int x = first; x < last; ++x)
+        count += !is_white(picture.at(x, y));
+    return count;
+  };
+  EXPECT_NEAR(double(covered(120, 240)), 0.25 * covered(0, 120), 0.05 * covered(0, 120));
+}
+
+TEST_F(Drawn_picture, DrawsALineLargeAndCutsAwayWhatIsBeforeIt) {
+  const Mesh mesh = cube();
+  options.width = 640;
+  options.height = 480;
+  options.surface_opacity = 1.;
+  const std::vector<Line> lines = {small_loop({0.5, 1., 0.5}, 0.02)}; // on the far side
+  EXPECT_EQ(draw(mesh, lines).count(is_red), 0);
+  const Picture picture =
+      decoded(htl_picture::encode_closeup({mesh.points, mesh.triangles, {}, lines}, {0}, options));
+  int reds = 0, left = 640, right = 0;
+  for(int y = 0; y < 480; ++y)
+    for(int x = 0; x < 460; ++x) // the small picture of all is on the right
+      if(is_red(picture.at(x, y))) {
+        ++reds;
+        left = (std::min)(left, x);
+        right = (std::max)(right, x);
+      }
+  EXPECT_GT(reds, 1000);
+  EXPECT_GT(right - left, 200);
+  // All of the cube is there, too, in a corner.
+  int covered = 0;
+  for(int y = 350; y < 470; ++y)
+    for(int x = 470; x < 630; ++x)
+      covered += is_white(picture.at(x, y));
+  EXPECT_GT(covered, 500);
+  EXPECT_LT(covered, 15000);
 }
 
 // Whenever that is: each look is the last one in its turn.
