@@ -23,13 +23,14 @@ namespace htloops {
 struct Picture_options
 {
   std::string file;
-  std::vector<double> size;           ///< width and height in pixels; empty for the default
-  std::optional<double> opacity;      ///< of the surface; none: so that many hidden lines stay pale
-  bool has_labels = false;            ///< numbers of what lines stand for
-  bool has_legend = false;            ///< what their colours mean, and how large things are
-  bool has_tubes = false;             ///< lines that have radii are as thick as these
-  std::optional<std::size_t> closeup; ///< the number of the pair that is drawn large, if one is
-  bool is_view_given = false;         ///< what is drawn large is seen from there, too
+  std::vector<double> size;      ///< width and height in pixels; empty for the default
+  std::optional<double> opacity; ///< of the surface; none: so that many hidden lines stay pale
+  bool has_labels = false;       ///< numbers of what lines stand for
+  bool has_legend = false;       ///< what their colours mean, and how large things are
+  bool has_tubes = false;        ///< lines that have radii are as thick as these
+  std::optional<std::size_t> closeup =
+      {};                     ///< the number of the pair that is drawn large, if one is
+  bool is_view_given = false; ///< what is drawn large is seen from there, too
 };
 
 #ifdef HTLOOPS_HAS_PICTURE

@@ -132,10 +132,10 @@ void Depth_map::add_placed(const Vector& p) {
 }
 
 // All three are placed.
-void Depth_map::add(const Vector& a, const Vector& b, const Vector& c) {
-  const auto first = [](double least) { return (std::max)(0., std::ceil(least - 0.5)); };
-  const double first_x = first((std::min)({a[0], b[0], c[0]})),
-               first_y = first((std::min)({a[1], b[1], c[1]}));
+void Depth_map::add(const Vector& a, const Vector& b, const Vector& c, double side) {
+  // Cells have their middles at halves. All of this is positive.
+  const int first_x = static_cast<int>((std::min)({a[0], b[0], c[0]}) + 0.5),
+            first_y = static_cast<int>((std::min)({a[1], b[1], c[1]}) + 0.5);
   const double last_x = (std::max)({a[0], b[0], c[0]}) - 0.5,
                last_y = (std::max)({a[1], b[1], c[1]}) - 0.5;
   if(first_x > last_x || first_y > last_y)
@@ -144,15 +144,15 @@ void Depth_map::add(const Vector& a, const Vector& b, const Vector& c) {
     return (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
   };
   const double whole = area(a, b, c[0], c[1]);
-  if(whole == 0.)
+  if(whole == 0. || whole * side < 0.)
     return;
-  for(double y = first_y; y <= last_y; ++y)
-    for(double x = first_x; x <= last_x; ++x) {
+  for(int y = first_y; y <= last_y; ++y)
+    for(int x = first_x; x <= last_x; ++x) {
       const double of_a = area(b, c, x + 0.5, y + 0.5) / whole,
                    of_b = area(c, a, x + 0.5, y + 0.5) / whole, of_c = 1. - of_a - of_b;
       if(of_a < 0. || of_b < 0. || of_c < 0.)
         continue;
-      double& depth = nearest(static_cast<int>(x), static_cast<int>(y));
+      double& depth = nearest(x, y);
       depth = (std::max)(depth, of_a * a[2] + of_b * b[2] + of_c * c[2]);
     }
 }
@@ -294,7 +294,7 @@ Seen_lines::View Seen_lines::measure(const Vector& from) const {
       depths.add_placed(placed.back());
   }
   for(const auto& [a, b, c] : large_triangles_)
-    depths.add(placed[a], placed[b], placed[c]);
+    depths.add(placed[a], placed[b], placed[c], side_);
   return view_of(depths);
 }
 

@@ -33,8 +33,9 @@ public:
   /// the same, of one that is placed.
   void add_placed(const Vector& point);
 
-  /// notes a triangle, in all cells the middle of which it covers.
-  void add(const Vector& a, const Vector& b, const Vector& c);
+  /// notes a triangle, the corners of which are placed, in all cells the middle of which it covers.
+  /// If the side is not 0, but 1 or -1, what turns the other one to the eye is left out.
+  void add(const Vector& a, const Vector& b, const Vector& c, double side);
 
   /// whether nothing is clearly in front of a point of the surface, the normal of which has length
   /// one, or is null if it is not known.

@@ -105,7 +105,7 @@ std::vector<std::size_t> promising(const std::vector<Candidate>& candidates,
     values.push_back(candidates[i].weight * value_of(views[i]));
   }
   const std::vector<std::size_t> by_length = by_value(lengths);
-  constexpr std::size_t of_each = 5;
+  constexpr std::size_t of_each = 4;
   std::vector<std::size_t> chosen(by_length.begin(), by_length.begin() + of_each);
   for(const std::size_t i : by_value(values)) {
     if(chosen.size() == 2 * of_each)
@@ -259,7 +259,7 @@ std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
   for(const std::size_t d : spread(values))
     look_from(d);
   // What is seen from few directions only may be missed by all of these.
-  std::size_t tries = 6;
+  std::size_t tries = 8;
   for(std::size_t g = 0; g < groups.size(); ++g)
     for(const std::size_t d : best_for(values, g))
       if(!best[g] && values[d][g] > 0.5 && tries > 0) {

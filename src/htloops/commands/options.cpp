@@ -412,10 +412,10 @@ void add_gltf_option(CLI::App& command, Common_options& options, const std::stri
 
 void add_view_options(CLI::App& command, Common_options& options) {
   add_numbers(command, "--view", "X,Y,Z", options.view.from, 3,
-              "direction that is looked from; default: where most is visible, of pairs that\n"
-              "were asked for above all");
+              "direction that is looked from; default: where most of the loops is seen, the small\n"
+              "ones above all");
   add_numbers(command, "--up", "X,Y,Z", options.view.up, 3,
-              "direction that is upright; default: 0,0,1");
+              "direction that is upright; default: z, or another axis on which it stands");
 }
 
 void add_threads_option(CLI::App& command, Common_options& options) {

@@ -3,6 +3,7 @@
 #include "Small_answer.h"
 #include "Temporary_folder.h"
 
+#include "app/draw/pages.h"
 #include "app/draw/pictures.h"
 #include "app/draw/scenes.h"
 #include "app/failure.h"
@@ -14,6 +15,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <thread>
 
@@ -116,6 +118,32 @@ TEST(Interrupt_DeathTest, a_file_that_may_not_grow_is_an_error_of_writing) {
               }),
               testing::ExitedWithCode(static_cast<int>(Exit_code::WRONG_USAGE)), "");
   EXPECT_EQ(folder.number_of_files(), 0u);
+}
+
+TEST(Interrupt_DeathTest, a_picture_or_page_that_does_not_fit_leaves_the_one_before) {
+  const auto expect_kept = [](const char* name, const auto& write) {
+    const Temporary_folder folder;
+    const std::string file = folder.path(name);
+    std::ofstream(file) << "as it was";
+    EXPECT_EXIT(end_after([&] {
+                  const htl_scene::Scene scene = scene_of_cut({}, "a.off", small_mesh(), {}, "");
+                  const rlimit limit = {200, 200};
+                  setrlimit(RLIMIT_FSIZE, &limit);
+                  write(file, scene);
+                }),
+                testing::ExitedWithCode(static_cast<int>(Exit_code::WRONG_USAGE)), "");
+    EXPECT_EQ(folder.number_of_files(), 1u);
+    std::string kept;
+    std::getline(std::ifstream(file), kept);
+    EXPECT_EQ(kept, "as it was");
+  };
+  if(has_pictures)
+    expect_kept("a.png", [](const std::string& file, const htl_scene::Scene& scene) {
+      export_picture({file, {}, {}}, scene);
+    });
+  expect_kept("a.html", [](const std::string& file, const htl_scene::Scene& scene) {
+    write_page(file, scene);
+  });
 }
 #endif
 
