@@ -143,10 +143,12 @@ void add_rings(const Seen_lines& seen,
     texts.add_ring(ring);
 }
 
-// A label of what is hidden would be read as one of what is in front. Bones are all hidden.
+// A label of what is hidden would be read as one of what is in front. Bones are all hidden, but for
+// joints.
 void add_labels(const Seen_lines& seen, const std::vector<Sight>& sights, Text_layer& texts) {
-  const bool is_any_seen =
-      std::any_of(sights.begin(), sights.end(), [](const Sight& sight) { return sight.is_seen; });
+  bool is_any_seen = false;
+  for(std::size_t i = 0; i < sights.size(); ++i)
+    is_any_seen = is_any_seen || (sights[i].is_seen && seen.lines[i].points.size() > 1);
   for(const std::size_t i : by_size(sights))
     if(const Line& line = seen.lines[i]; !line.label.empty() && (sights[i].is_seen || !is_any_seen))
       texts.add_label(line.label, line.colour, sights[i].places,

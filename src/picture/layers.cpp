@@ -123,7 +123,7 @@ void Line_layer::draw_line(std::uint32_t number, const Line& line) {
   // A line on a surface that is seen at a low angle is half below it: lift it by more than its
   // thickness. One that is as thick as what is around it touches the surface from inside.
   const float lift = line.radii.empty() ? 2.5f : -0.25f;
-  const Place first = place_on(line, 0);
+  Place first = place_on(line, 0);
   Place last = first;
   for(std::size_t i = 1; i < line.points.size(); ++i) {
     const Place next = place_on(line, i);
@@ -134,6 +134,7 @@ void Line_layer::draw_line(std::uint32_t number, const Line& line) {
     last = next;
   }
   const bool is_point = last.x == first.x && last.y == first.y;
+  first.is_ball = last.is_ball = line.points.size() == 1;
   if(line.closed || is_point)
     draw_segment(number, last, first, lift);
 }
@@ -160,7 +161,9 @@ void Line_layer::draw_segment(std::uint32_t line, Place a, Place b, float lift) 
       const float radius = a.radius + t * (b.radius - a.radius);
       if(squared_distance <= rim * rim * radius * radius)
         draw_sample(line, x, y,
-                    {{0.f, 0.f, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth)}, radius},
+                    {{0.f, 0.f, a.inverse_depth + t * (b.inverse_depth - a.inverse_depth)},
+                     radius,
+                     a.is_ball},
                     std::sqrt(squared_distance), lift);
     }
   }
@@ -177,6 +180,8 @@ void Line_layer::draw_sample(
   const bool is_in_front = (front - lift * radius) * surface < 1.f;
 
   Sample& sample = (is_in_front ? in_front_ : behind_).made_at(x, y);
+  if(across > 1.f && middle.is_ball)
+    return;
   if(across > 1.f) { // what is nearer than others leaves a gap beside it
     const float nearest = depth - radius;
     if(nearest * sample.inverse_depth_of_rim < 1.f) {
@@ -196,7 +201,7 @@ void Line_layer::draw_sample(
     sample.inverse_depth = 1.f / front;
     sample.line = line;
     sample.across = across;
-    sample.radius = radius;
+    sample.radius = middle.is_ball ? 0.f : radius;
   }
 }
 

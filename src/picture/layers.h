@@ -68,14 +68,14 @@ public:
     float inverse_depth = 0.f;
     std::uint32_t line = no_line;
     float across = 0.f; ///< the distance from the middle of the line, in units of half its width
-    float radius = 0.f; ///< half the width, in the unit of the frame
+    float radius = 0.f; ///< half the width, in the unit of the frame; none of a ball
     float inverse_depth_of_rim = 0.f; ///< of the nearest line that passes beside
     std::uint32_t line_of_rim = no_line;
 
     /// whether there is a gap, so that the line seems to pass below one that is nearer, or that
     /// comes first.
     bool is_gap() const {
-      if(line == no_line || line_of_rim == no_line || line_of_rim == line)
+      if(line == no_line || line_of_rim == no_line || line_of_rim == line || !(radius > 0.f))
         return false;
       const float nearer = 1.f / inverse_depth - 1.f / inverse_depth_of_rim;
       return nearer > radius || (nearer > -radius && line_of_rim < line);
@@ -131,6 +131,7 @@ private:
   struct Place : Projected_point
   {
     float radius;
+    bool is_ball = false; ///< these make no room for lines that end there
   };
 
   Place place_on(const Line& line, std::size_t point) const;
