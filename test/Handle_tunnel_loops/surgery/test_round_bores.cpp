@@ -1,6 +1,7 @@
 #include "Bored_parts.h"
 #include "Meshes_of_soups.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Fitted_circle.h>
 #include <CGAL/Handle_tunnel_loops/round_bores.h>
 #include <CGAL/handle_tunnel_loops.h>
 #include <CGAL/number_utils.h>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <random>
 #include <vector>
 
 namespace test_round_bores {
@@ -128,6 +130,23 @@ TEST(Round_bores, MayHaveSteps) {
 }
 
 // Curved along its axis, with a belt of faces at the throat that lies along it.
+// What least squares divide by is rounding there, or zero.
+TEST(Fitted_circle, GoesThroughNoLine) {
+  using Circle = htl::internal::Fitted_circle;
+  EXPECT_FALSE(Circle::through(std::vector<Circle::Point>(10, {1., 2.})));
+  std::mt19937 random(1);
+  const auto draw = [&random] { return double(random()) / 4294967296. - 0.5; };
+  for(int line = 0; line < 20000; ++line) {
+    const double x = draw(), y = draw(), u = line % 5 == 0 ? 0. : draw(), v = draw();
+    std::vector<Circle::Point> points;
+    for(int i = 0; i < 6 + line % 9; ++i) {
+      const double t = line % 2 == 0 ? draw() : i % 3;
+      points.emplace_back(x + t * u, y + t * v);
+    }
+    EXPECT_FALSE(Circle::through(points)) << line;
+  }
+}
+
 TEST(Round_bores, AreNoHourglasses) {
   Profile hourglass = {{4., 1.}, {4., -1.}};
   std::reverse(hourglass.begin(), hourglass.end());

@@ -41,6 +41,8 @@ struct Fitted_circle
     if(points.size() < 6)
       return std::nullopt;
     Fitted_circle circle = of_least_squares(points);
+    if(!std::isfinite(circle.radius)) // they are on a line
+      return std::nullopt;
     for(const Point& p : points)
       circle.deviation =
           (std::max)(circle.deviation,
