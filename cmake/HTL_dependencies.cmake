@@ -88,8 +88,8 @@ if(HTL_BUILD_TOOL)
   endif()
   # Words in pictures: stb draws letters, of a font that is put into the program.
   find_path(HTL_STB stb/stb_truetype.h)
-  find_file(HTL_FONT DejaVuSansMono-Bold.ttf
-    PATHS /usr/share/fonts PATH_SUFFIXES truetype/dejavu dejavu dejavu-sans-mono-fonts TTF)
+  find_file(HTL_FONT DejaVuSans-Bold.ttf
+    PATHS /usr/share/fonts PATH_SUFFIXES truetype/dejavu dejavu dejavu-sans-fonts TTF)
   mark_as_advanced(HTL_STB HTL_FONT)
   if(HTL_STB AND HTL_FONT)
     set(HTL_HAS_FONT ON)

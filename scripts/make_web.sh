@@ -22,7 +22,7 @@ arithmetic="-DCGAL_DISABLE_GMP=1 -DCGAL_ALWAYS_ROUND_TO_NEAREST"
 # Pictures have letters of ASCII only. What is left of the font has no name: that is its own.
 make_font() {
   [ -f "$build/font.ttf" ] || /usr/bin/python3 -m fontTools.subset \
-    /usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf --output-file="$build/font.ttf" \
+    /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file="$build/font.ttf" \
     --unicodes=U+20-7E --no-hinting --name-IDs= --notdef-outline --drop-tables+=FFTM
 }
 

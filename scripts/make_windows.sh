@@ -18,7 +18,7 @@ work=build/windows-work
 scripts/make_cross_prefix.sh "$prefix" -G Ninja "$toolchain"
 cmake -S . -B "$work" -G Ninja -DHTL_PREFIX="$prefix" -C cmake/tool_alone.cmake "$toolchain" \
   -DCMAKE_CXX_FLAGS=-DCGAL_DISABLE_GMP=1 -DHTL_STATIC=ON -DHTL_THREADS=STD \
-  -DHTL_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSansMono-Bold.ttf "$@"
+  -DHTL_FONT=/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf "$@"
 cmake --build "$work" --target htloops --parallel "${JOBS:-$(nproc)}"
 
 # Whatever it would ask Windows for is there in all of them.

@@ -17,7 +17,7 @@ pkgs.stdenv.mkDerivation {
     "-DHTL_BUILD_TESTS=OFF"
     "-DHTL_BUILD_EXAMPLES=OFF"
     "-DHTL_BUILD_BENCHMARKS=OFF"
-    "-DHTL_FONT=${pkgs.dejavu_fonts}/share/fonts/truetype/DejaVuSansMono-Bold.ttf"
+    "-DHTL_FONT=${pkgs.dejavu_fonts}/share/fonts/truetype/DejaVuSans-Bold.ttf"
   ];
 
   doInstallCheck = true;

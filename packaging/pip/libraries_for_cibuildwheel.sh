@@ -9,7 +9,7 @@ case "${1:-}" in
     dnf --assumeyes install epel-release dnf-plugins-core
     dnf config-manager --set-enabled powertools
     dnf --assumeyes install cmake ninja-build boost-devel gmp-devel gmp-c++ mpfr-devel zlib-devel libpng-devel \
-      expat-devel eigen3-devel cli11-devel json-devel stb-devel dejavu-sans-mono-fonts
+      expat-devel eigen3-devel cli11-devel json-devel stb-devel dejavu-sans-fonts
     # Headers alone, and newer than what is packaged there.
     cgal=5.6.1
     curl --fail --location "https://github.com/CGAL/cgal/releases/download/v$cgal/CGAL-$cgal-library.tar.xz" |

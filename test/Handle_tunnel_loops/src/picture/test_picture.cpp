@@ -258,7 +258,8 @@ TEST_F(Written_picture, LabelsDoNotCoverEachOther) {
   int written = 0;
   for(int i = 0; i < 20; ++i)
     written += texts.add_label("8", {255, 0, 0}, {{320, 240}}, cost);
-  EXPECT_EQ(written, 5); // on four sides of the one place, and one with a line that leads to it
+  EXPECT_GE(written, 4); // on four sides of the one place,
+  EXPECT_LE(written, 5); // and one with a line that leads to it, if it is narrow
   EXPECT_TRUE(texts.add_label("8", {255, 0, 0}, {{320, 240}, {100, 100}}, cost));
   EXPECT_FALSE(texts.add_label("8", {255, 0, 0}, {{-50, 0}, {700, 500}}, cost)); // outside
 }
