@@ -23,27 +23,38 @@
 
 namespace {
 
-// Seconds to load a page, and to draw it once: in full, and while it moves.
+// Seconds to load a page; to draw it once, in full and while it moves; and from a click on a row to
+// where that flies, and to the last frame.
 std::string in_browser(Browser* browser, const std::string& page) {
   if(browser == nullptr)
-    return "| | | |";
+    return "| | | | | |";
   browser->open(page, "document.body?.classList.contains('ready') === true");
   const double load = browser->evaluate("htloops.loadMilliseconds");
+  browser->evaluate("htloops.viewer.settled()");
   const auto frame = [&](const std::string& is_moving) -> double {
-    return browser->evaluate(
-        "(() => { const { viewer } = htloops, { gl } = viewer, pixel = new Uint8Array(4), n = 3;"
-        "const draw = () => { viewer.isMoving = " +
-        is_moving +
-        "; viewer.isSlow = true;"
-        "  viewer.camera.turn(0.1, 0.05); viewer.drawNow();"
-        "  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); };"
-        "draw(); const began = performance.now(); for(let i = 0; i < n; ++i) draw();"
-        "return (performance.now() - began) / n; })()");
+    return browser->evaluate("(() => { const { viewer } = htloops, n = 3;"
+                             "const draw = () => { viewer.isMoving = " +
+                             is_moving +
+                             "; viewer.camera.turn(0.1, 0.05); viewer.drawNow();"
+                             "  viewer.renderer.wait(); };"
+                             "draw(); const began = performance.now(); for(let i = 0; i < n; ++i) "
+                             "draw(); viewer.isMoving = false; viewer.isAtHome = false;"
+                             "return (performance.now() - began) / n; })()");
   };
-  char text[80];
   const double full = frame("false"), coarse = frame("true");
-  std::snprintf(text, sizeof text, "| %.2f | %.2f | %.2f |", load / 1000., full / 1000.,
-                coarse / 1000.);
+  const auto row = [&](const std::string& until) -> double {
+    return browser->evaluate("(async () => { const { viewer, page, scene } = htloops;"
+                             "await viewer.settled(); const began = performance.now();"
+                             "page.light(Math.floor(scene.rows.length / 2), true); " +
+                             until +
+                             " const time = performance.now() - began; await viewer.settled();"
+                             "viewer.goHome(); await viewer.settled(); return time; })()");
+  };
+  const double there = row("while(viewer.flight) await new Promise(requestAnimationFrame);");
+  const double drawn = row("await viewer.settled();");
+  char text[120];
+  std::snprintf(text, sizeof text, "| %.2f | %.2f | %.2f | %.2f | %.2f |", load / 1000.,
+                full / 1000., coarse / 1000., there / 1000., drawn / 1000.);
   return text;
 }
 
@@ -89,8 +100,8 @@ int main(int argc, char* argv[]) {
       {"torus:1000000:1", "multi-torus:1000000:250", "gyroid:1000000:250", "lattice:1000000:250"});
   try {
     std::printf("| mesh | faces | pairs | reading s | page s | ratio | MB | bytes per face | load "
-                "s | frame s | moving s |\n"
-                "|---|---|---|---|---|---|---|---|---|---|---|\n");
+                "s | frame s | moving s | row: there s | row: drawn s |\n"
+                "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     std::unique_ptr<Browser> browser;
     if(!Browser::program().empty())
       browser = std::make_unique<Browser>(1200, 800);

@@ -311,7 +311,9 @@ bool is_looked_at(const Common_options& options) {
   return !options.picture.file.empty() || !options.page_file.empty();
 }
 
-void show_scene(const Common_options& options, const htl_scene::Scene& scene) {
+void show_scene(const Common_options& options, htl_scene::Scene scene, Unit unit) {
+  if(unit != Unit::NONE)
+    scene.unit = words_of(unit).sign;
   if(!options.picture.file.empty()) {
     Picture_options picture = options.picture;
     picture.is_view_given = !options.view.from.empty();

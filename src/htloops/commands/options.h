@@ -119,8 +119,8 @@ Choice command_to_remove(const Mesh_options& options, const std::string& choice 
 /// whether a picture or a page is asked for.
 bool is_looked_at(const Common_options& options);
 
-/// writes those that are asked for.
-void show_scene(const Common_options& options, const htl_scene::Scene& scene);
+/// writes those that are asked for. The unit is that of the mesh, if the scene does not have it.
+void show_scene(const Common_options& options, htl_scene::Scene scene, Unit unit = Unit::NONE);
 
 // In each, `text` stands for the value in the help.
 

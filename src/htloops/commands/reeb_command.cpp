@@ -120,11 +120,12 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
 }
 
 void write_files(const Reeb_command_options& options,
-                 const Mesh& mesh,
+                 const Mended_mesh& mended,
                  const Reeb_answer& answer,
                  const std::vector<Listed_arc>& arcs,
                  const std::string& text,
                  double read_seconds) {
+  const Mesh& mesh = mended.mesh;
   if(!options.csv_file.empty())
     write_arc_csv(options.csv_file, arcs);
   if(!options.json_file.empty())
@@ -137,7 +138,8 @@ void write_files(const Reeb_command_options& options,
     export_coloured_mesh(options.parts_file, mesh, answer);
   if(is_looked_at(options))
     show_scene(options,
-               scene_of_reeb_graph(options.view, options.mesh_file, mesh, answer, arcs, text));
+               scene_of_reeb_graph(options.view, options.mesh_file, mesh, answer, arcs, text),
+               mended.facts.unit);
   if(!options.gltf_file.empty()) {
     const std::vector<Colour> tints = tints_of(mesh, answer);
     Drawn_surface surface =
@@ -195,7 +197,7 @@ void run(const Reeb_command_options& options) {
   std::vector<Listed_arc> arcs; // measuring them takes a look at every face
   if(!options.is_quiet || !options.csv_file.empty() || is_looked_at(options))
     arcs = list_arcs(mesh, answer);
-  write_files(options, mesh, answer, arcs, text, read_seconds);
+  write_files(options, mended, answer, arcs, text, read_seconds);
   if(!options.is_quiet)
     show_text(table_of_arcs(arcs, options.show_all) + text, is_output_taken(options));
 }

@@ -67,9 +67,10 @@ void export_model(const Skeleton_command_options& options,
 }
 
 void write_files(const Skeleton_command_options& options,
-                 const Mesh& mesh,
+                 const Mended_mesh& mended,
                  const Skeleton_answer& answer,
                  double read_seconds) {
+  const Mesh& mesh = mended.mesh;
   if(!options.csv_file.empty())
     write_arc_csv(options.csv_file, answer);
   if(!options.json_file.empty())
@@ -88,8 +89,10 @@ void write_files(const Skeleton_command_options& options,
   if(!options.gltf_file.empty())
     export_model(options, mesh, answer);
   if(is_looked_at(options))
-    show_scene(options, scene_of_skeleton(options.view, options.mesh_file, mesh, answer,
-                                          summary(answer, read_seconds)));
+    show_scene(options,
+               scene_of_skeleton(options.view, options.mesh_file, mesh, answer,
+                                 summary(answer, read_seconds)),
+               mended.facts.unit);
 }
 
 bool is_output_taken(const Skeleton_command_options& options) {
@@ -104,7 +107,7 @@ void run(const Skeleton_command_options& options) {
   const double read_seconds = stopwatch.seconds();
   const Skeleton_answer answer = solve(mended.mesh, options);
   write_read_mesh(options, mended);
-  write_files(options, mended.mesh, answer, read_seconds);
+  write_files(options, mended, answer, read_seconds);
   if(!options.is_quiet)
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds) +
                   words_of_unit(mended.facts.unit),
