@@ -74,7 +74,7 @@ void measure(const std::string& input, int number_of_runs, Browser* browser) {
     const htloops::Mesh mesh = htloops::read_mesh(htloops::Input_file(off.name()));
     htloops::Progress told;
     answer = htloops::host_backend.solve(mesh, {}, told);
-    listing = htloops::list_pairs(mesh, answer.pairs);
+    listing = htloops::list_pairs(mesh, answer);
     const double t2 = seconds_now();
     htloops::write_page(page, htloops::scene_of_loops({}, input, mesh, answer, listing, ""));
     const double t3 = seconds_now();

@@ -359,19 +359,15 @@ scene_of(const std::string& title, const std::string& mesh_file, htl_scene::Surf
 // What is told of in rows is to be seen, unless it is inside: all of it at first, and that of a row
 // if this is asked for.
 void look(const View& given, htl_scene::Scene& scene) {
-  View view = given;
   std::vector<std::vector<Polyline>> lines_of_rows(scene.table.rows.size());
   if(!scene.has_bones)
     for(const htl_scene::Line& line : scene.lines)
-      if(line.row != htl_scene::no_row && scene.groups[line.group].is_in_pictures) {
-        view.chosen.push_back(line.points);
+      if(line.row != htl_scene::no_row && scene.groups[line.group].is_in_pictures)
         lines_of_rows[line.row].push_back(line.points);
-      }
-  const auto [from, up] = whole_view(view, scene.surfaces[0]);
-  scene.view = from;
-  scene.up = up;
-  if(!view.chosen.empty())
-    scene.table.views = best_views(scene.surfaces[0], lines_of_rows, up);
+  Views views = views_of(given, scene.surfaces[0], lines_of_rows);
+  scene.view = views.whole.from;
+  scene.up = views.whole.up;
+  scene.table.views = std::move(views.of_groups);
 }
 
 // What comes before the name of the file.

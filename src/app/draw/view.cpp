@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -117,38 +118,6 @@ std::vector<std::size_t> promising(const std::vector<Candidate>& candidates,
   return chosen;
 }
 
-Vector best_direction(const htl_scene::Surface& surface,
-                      const std::vector<std::vector<Vector>>& lines,
-                      const Vector& up) {
-  const std::vector<Candidate> candidates = candidates_around(up);
-  if(surface.triangles.empty())
-    return candidates.front().from;
-  const Seen_lines seen(surface, lines);
-  std::vector<Seen_lines::View> views;
-  for(const Candidate& candidate : candidates)
-    views.push_back(seen.estimate(candidate.from));
-  std::vector<std::size_t> chosen(candidates.size());
-  std::iota(chosen.begin(), chosen.end(), std::size_t(0));
-  if(!lines.empty()) {
-    chosen = promising(candidates, views);
-    for(const std::size_t i : chosen)
-      views[i] = seen.measure(candidates[i].from);
-  }
-  double most = 0.;
-  for(const std::size_t i : chosen)
-    most = (std::max)(most, seen_length(views[i]));
-  std::size_t best = chosen.front();
-  double largest = -1.;
-  for(const std::size_t i : chosen)
-    if(const double value = candidates[i].weight * value_of(views[i]);
-       value > largest && seen_length(views[i]) >= least_part_of_most * most)
-    {
-      largest = value;
-      best = i;
-    }
-  return candidates[best].from;
-}
-
 // Of each group, the part of its length that is seen, and how large that is.
 struct Group_view
 {
@@ -174,10 +143,10 @@ std::vector<Group_view> group_views(const Seen_lines::View& view,
 }
 
 // Few directions such that from one of them each group is seen nearly as well as it can be: one
-// after another, that which adds most.
-std::vector<std::size_t> spread(const std::vector<std::vector<double>>& values_by_direction) {
+// after another, that which adds most to what is reached already.
+std::vector<std::size_t> spread(const std::vector<std::vector<double>>& values_by_direction,
+                                std::vector<double> reached) {
   constexpr std::size_t most = 8;
-  std::vector<double> reached(values_by_direction.front().size(), 0.);
   std::vector<std::size_t> chosen;
   while(chosen.size() < most) {
     std::size_t best = 0;
@@ -212,61 +181,155 @@ std::vector<std::size_t> best_for(const std::vector<std::vector<double>>& values
   return order;
 }
 
+// How good a view of a group is.
+double value_of(const Group_view& view) { return 1.5 * view.share + 0.5 * view.large; }
+
+/// Looks at lines on a surface from many directions: estimates what is seen from all of them, and
+/// measures it from those that deserve it.
+class View_search
+{
+public:
+  View_search(const htl_scene::Surface& surface,
+              const std::vector<Polyline>& lines,
+              const Vector& up)
+      : seen_(surface, lines)
+      , has_lines_(!lines.empty())
+      , candidates_(candidates_around(up))
+      , is_measured_(candidates_.size(), 0) {
+    for(const Candidate& candidate : candidates_)
+      views_.push_back(seen_.estimate(candidate.from));
+  }
+
+  /// from where the lines are seen best; without lines, the surface.
+  Vector best_direction() {
+    std::vector<std::size_t> chosen(candidates_.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t(0));
+    if(has_lines_) {
+      chosen = promising(candidates_, views_);
+      for(const std::size_t d : chosen)
+        measure(d);
+    }
+    double most = 0.;
+    for(const std::size_t d : chosen)
+      most = (std::max)(most, seen_length(views_[d]));
+    std::size_t best = chosen.front();
+    double largest = -1.;
+    for(const std::size_t d : chosen)
+      if(const double value = candidates_[d].weight * value_of(views_[d]);
+         value > largest && seen_length(views_[d]) >= least_part_of_most * most)
+      {
+        largest = value;
+        best = d;
+      }
+    return candidates_[best].from;
+  }
+
+  /// from where each group is seen best; see `best_views()`.
+  std::vector<std::optional<Vector>>
+  best_for_groups(const std::vector<std::size_t>& lines_in_group) {
+    lines_in_group_ = lines_in_group;
+    best_.assign(lines_in_group.size(), std::nullopt);
+    largest_.assign(lines_in_group.size(), 0.);
+    const std::vector<std::vector<double>> values = values_of_groups();
+    std::vector<double> reached(lines_in_group.size(), 0.);
+    for(std::size_t d = 0; d < candidates_.size(); ++d)
+      if(is_measured_[d] != 0) {
+        look_from(d);
+        for(std::size_t g = 0; g < reached.size(); ++g)
+          reached[g] = (std::max)(reached[g], values[d][g]);
+      }
+    for(const std::size_t d : spread(values, std::move(reached)))
+      look_from(d);
+    // What is seen from few directions only may be missed by all of these.
+    std::size_t tries = 8;
+    for(std::size_t g = 0; g < best_.size(); ++g)
+      for(const std::size_t d : best_for(values, g))
+        if(!best_[g] && values[d][g] > 0.5 && tries > 0) {
+          look_from(d);
+          --tries;
+        }
+    return best_;
+  }
+
+private:
+  void measure(std::size_t d) {
+    if(is_measured_[d] == 0)
+      views_[d] = seen_.measure(candidates_[d].from);
+    is_measured_[d] = 1;
+  }
+
+  std::vector<std::vector<double>> values_of_groups() const {
+    std::vector<std::vector<double>> values(candidates_.size());
+    for(std::size_t d = 0; d < candidates_.size(); ++d)
+      for(const Group_view& view : group_views(views_[d], lines_in_group_))
+        values[d].push_back(candidates_[d].weight * value_of(view));
+    return values;
+  }
+
+  void look_from(std::size_t d) {
+    measure(d);
+    const std::vector<Group_view> views = group_views(views_[d], lines_in_group_);
+    for(std::size_t g = 0; g < views.size(); ++g)
+      if(const double value = candidates_[d].weight * value_of(views[g]);
+         views[g].share >= 0.5 && value > largest_[g])
+      {
+        largest_[g] = value;
+        best_[g] = candidates_[d].from;
+      }
+  }
+
+  Seen_lines seen_;
+  bool has_lines_;
+  std::vector<Candidate> candidates_;
+  std::vector<Seen_lines::View> views_; // by candidate: estimated, or measured
+  std::vector<char> is_measured_;
+  std::vector<std::size_t> lines_in_group_;
+  std::vector<std::optional<Vector>> best_; // by group, and how good that is
+  std::vector<double> largest_;
+};
+
+Vector upright(const View& given, const htl_scene::Surface& surface) {
+  return given.up.empty() ? upright_direction(surface)
+                          : Vector{given.up[0], given.up[1], given.up[2]};
+}
+
 } // namespace
 
 Whole_view whole_view(const View& given, const htl_scene::Surface& surface) {
-  Whole_view view;
-  view.up =
-      given.up.empty() ? upright_direction(surface) : Vector{given.up[0], given.up[1], given.up[2]};
-  view.from = given.from.empty() ? best_direction(surface, given.chosen, unit(view.up))
-                                 : Vector{given.from[0], given.from[1], given.from[2]};
+  Whole_view view = {{}, upright(given, surface)};
+  if(!given.from.empty())
+    view.from = {given.from[0], given.from[1], given.from[2]};
+  else if(surface.triangles.empty())
+    view.from = usual_candidate(axes_of(unit(view.up))).from;
+  else
+    view.from = View_search(surface, given.chosen, unit(view.up)).best_direction();
   return view;
+}
+
+Views views_of(const View& given,
+               const htl_scene::Surface& surface,
+               const std::vector<std::vector<Polyline>>& groups) {
+  View all = given;
+  all.chosen.clear();
+  std::vector<std::size_t> lines_in_group;
+  for(const std::vector<Polyline>& group : groups) {
+    all.chosen.insert(all.chosen.end(), group.begin(), group.end());
+    lines_in_group.push_back(group.size());
+  }
+  if(surface.triangles.empty() || all.chosen.empty())
+    return {whole_view(all, surface), std::vector<std::optional<Vector>>(groups.size())};
+  const Vector up = upright(given, surface);
+  View_search search(surface, all.chosen, unit(up));
+  const Vector from = given.from.empty() ? search.best_direction()
+                                         : Vector{given.from[0], given.from[1], given.from[2]};
+  return {{from, up}, search.best_for_groups(lines_in_group)};
 }
 
 std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
                                               const std::vector<std::vector<Polyline>>& groups,
                                               const Vector& up) {
-  std::vector<Polyline> lines;
-  std::vector<std::size_t> lines_in_group;
-  for(const std::vector<Polyline>& group : groups) {
-    lines.insert(lines.end(), group.begin(), group.end());
-    lines_in_group.push_back(group.size());
-  }
-  std::vector<std::optional<Vector>> best(groups.size());
-  if(surface.triangles.empty() || lines.empty())
-    return best;
-
-  const Seen_lines seen(surface, lines);
-  const std::vector<Candidate> candidates = candidates_around(unit(up));
-  std::vector<std::vector<double>> values;
-  for(const Candidate& candidate : candidates) {
-    values.emplace_back();
-    for(const auto& [share, large] : group_views(seen.estimate(candidate.from), lines_in_group))
-      values.back().push_back(candidate.weight * (1.5 * share + 0.5 * large));
-  }
-  std::vector<double> largest(groups.size(), 0.);
-  const auto look_from = [&](std::size_t d) {
-    const std::vector<Group_view> views =
-        group_views(seen.measure(candidates[d].from), lines_in_group);
-    for(std::size_t g = 0; g < groups.size(); ++g)
-      if(const double value = candidates[d].weight * (1.5 * views[g].share + 0.5 * views[g].large);
-         views[g].share >= 0.5 && value > largest[g])
-      {
-        largest[g] = value;
-        best[g] = candidates[d].from;
-      }
-  };
-  for(const std::size_t d : spread(values))
-    look_from(d);
-  // What is seen from few directions only may be missed by all of these.
-  std::size_t tries = 8;
-  for(std::size_t g = 0; g < groups.size(); ++g)
-    for(const std::size_t d : best_for(values, g))
-      if(!best[g] && values[d][g] > 0.5 && tries > 0) {
-        look_from(d);
-        --tries;
-      }
-  return best;
+  const View given = {{1., 0., 0.}, {up[0], up[1], up[2]}, {}}; // the whole is of no interest
+  return views_of(given, surface, groups).of_groups;
 }
 
 } // namespace htloops

@@ -40,6 +40,18 @@ struct Whole_view
 /// triangles: the time is linear in the size of the mesh.
 Whole_view whole_view(const View& given, const htl_scene::Surface& surface);
 
+/// How a surface is seen with all of its lines, and with those of each group: `whole_view()` and
+/// `best_views()`, together in less time.
+struct Views
+{
+  Whole_view whole;
+  std::vector<std::optional<std::array<double, 3>>> of_groups;
+};
+
+Views views_of(const View& given,
+               const htl_scene::Surface& surface,
+               const std::vector<std::vector<Polyline>>& groups);
+
 /// by group of closed lines, the direction from which it is seen best, of length one; none if less
 /// than half of its length is seen from anywhere outside. In linear time.
 std::vector<std::optional<std::array<double, 3>>>

@@ -84,15 +84,20 @@ const meetsAll = (planes, { middle, half }) => planes.every(([a, b, c, d]) =>
   a * middle[0] + b * middle[1] + c * middle[2] + d +
   Math.abs(a) * half[0] + Math.abs(b) * half[1] + Math.abs(c) * half[2] >= 0);
 
-// Corners of the triangles in the cells that meet a ball, as places in space: nine numbers of each.
+const MANY = 3e5; // corners
+
+// Corners of the triangles in the cells that meet a ball, as places in space: nine numbers of each. Of fewer
+// and larger ones, if they were many.
 function trianglesNear(surface, placing, place, radius) {
-  const { points, triangles, cells } = surface, { scale, shift } = placing;
+  const { points, cells } = surface, { scale, shift } = placing;
   const isWanted = cell => {
     const { middle, half } = placing.box(cell);
     return Math.hypot(...place.map((x, k) => Math.max(0, Math.abs(x - middle[k]) - half[k]))) < radius;
   };
-  const runs = runsOf(cells, isWanted), corners = new Float32Array(3 * lengthOf(runs));
-  let length = 0;
+  let triangles = surface.triangles, runs = runsOf(cells, isWanted), length = 0;
+  if (lengthOf(runs) > MANY)
+    [triangles, runs] = [surface.coarse, [[0, surface.coarse.length]]];
+  const corners = new Float32Array(3 * lengthOf(runs));
   for (const [first, end] of runs)
     for (let i = first; i < end; i += 3) {
       let isIn = true;
