@@ -76,11 +76,15 @@ void Text_layer::add_legend(const std::vector<Legend_entry>& entries, const Cost
   const int width = line + 2 * row + widest, height = static_cast<int>(entries.size()) * row + row;
   const int left = row / 2, right = width_ - width - left, top = row / 2,
             bottom = height_ - height - top;
-  Rectangle best = {left, top, width, height};
+  std::optional<Rectangle> found;
   for(const auto& [x, y] :
       {Pixel{left, top}, Pixel{right, top}, Pixel{right, bottom}, Pixel{left, bottom}})
-    if(const Rectangle box = {x, y, width, height}; is_free(box) && cost(box) < cost(best))
-      best = box;
+    if(const Rectangle box = {x, y, width, height};
+       is_free(box) && (!found || cost(box) < cost(*found)))
+      found = box;
+  if(!found)
+    return; // there is no room
+  const Rectangle& best = *found;
   for(std::size_t i = 0; i < entries.size(); ++i) {
     const int y = best.y + row / 2 + static_cast<int>(i) * row, thickness = (std::max)(2, row / 5);
     legend_lines_.push_back(

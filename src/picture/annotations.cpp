@@ -113,8 +113,8 @@ void add_rings(const Seen_lines& seen,
                const Options& options,
                std::vector<Sight>& sights,
                Text_layer& texts) {
-  constexpr double speck = 0.025; // of the picture
-  const double extent = (std::max)(seen.width, seen.height);
+  constexpr double speck = 0.025;                            // of the picture
+  const double extent = (std::min)(seen.width, seen.height); // which the surface fills
   const auto least = static_cast<float>(0.016 * extent);
   std::vector<Ring> rings;
   std::vector<std::array<std::size_t, 2>> at_ring; // lines, each with its ring
@@ -123,10 +123,12 @@ void add_rings(const Seen_lines& seen,
     const Line& line = seen.lines[i];
     if(!sight.is_seen || !line.closed || line.points.size() < 3 || sight.size >= speck * extent)
       continue;
-    const auto at_this = [&](const Ring& ring) {
-      return std::hypot(ring.x - sight.x, ring.y - sight.y) < 1.4 * ring.radius;
-    };
     const auto half = static_cast<float>(0.8 * sight.size);
+    const float widest = 4.f * least; // then there is another one
+    const auto at_this = [&](const Ring& ring) {
+      const float away = std::hypot(ring.x - sight.x, ring.y - sight.y);
+      return away < 1.4 * ring.radius && away + half < widest;
+    };
     auto ring = std::find_if(rings.begin(), rings.end(), at_this);
     if(ring == rings.end())
       ring = rings.insert(rings.end(),
@@ -194,12 +196,12 @@ void annotate(const Seen_lines& seen,
   Text_layer texts(seen.width, seen.height, (std::max)(10., seen.height / 44.));
   if(options.has_scale_bar && has_font())
     add_scale_bar(seen, options, texts);
+  if(!words.caption.empty())
+    texts.add_caption(words.caption);
   if(words.has_legend && !options.legend.empty())
     texts.add_legend(options.legend, [&](const Rectangle& box) {
       return covered_in(seen, options.background, box, pixels);
     });
-  if(!words.caption.empty())
-    texts.add_caption(words.caption);
   std::vector<Sight> sights = sights_of(seen);
   if(options.has_rings)
     add_rings(seen, options, sights, texts);

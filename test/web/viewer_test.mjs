@@ -217,6 +217,10 @@ test('rows are found by words and by numbers, and hidden by sliders and by field
   assert.equal(await search('of = handle'), await search('handle'));
   assert.equal(await search('pair = 4'), 1);
   assert.equal(await search(`handle > ${lengths[0]}, pair = 99`), 0);
+  for (const unfinished of ['handle <', '<', '=', 'nothing < 2', 'handle < ,', 'handle < x'])
+    assert.equal(await search(unfinished), 5, unfinished);
+  await search('pair = 4'); // the tabulator still reaches the table
+  assert.equal(await evaluate(() => [...document.querySelectorAll('#rows tr')].filter(row => !row.hidden && row.tabIndex === 0).length), 1);
   assert.equal(await search(''), 5);
   assert.equal(await text('#shortest-words'), 'shortest loop shown');
   await page.$eval('#shortest-value', (node, value) => {
@@ -267,8 +271,9 @@ test('a double click sets what it turns about, and distances are those of the me
   await page.keyboard.press('0');
   await settled();
   await page.click('#measure');
-  assert.match(await text('#message'), /two points/);
+  assert.match(await text('#note'), /two points/);
   await page.mouse.click(...place);
+  await new Promise(resolve => setTimeout(resolve, 500)); // or they are one double click
   await page.mouse.click(place[0] + 20, place[1]);
   const { measured, expected } = await evaluate(() => {
     const { page: { overlay }, viewer, scene } = window.htloops, [a, b] = overlay.ends;
@@ -304,6 +309,41 @@ test('what is pointed at is told, and a click lights it', async () => {
   await close();
 });
 
+test('Back leads to where one meant to be, not to where one was on the way', async () => {
+  await open('gyroid.html');
+  const poses = [await pose()];
+  await evaluate(() => window.htloops.page.light(0, true));
+  await evaluate(() => window.htloops.page.light(1, true)); // during the flight
+  await settled();
+  await page.click('#back');
+  await settled();
+  const first = await pose();
+  await evaluate(() => window.htloops.page.light(0, true));
+  await settled();
+  assert.ok(distanceOf(await pose(), first) < 1e-9);
+  await page.click('#back');
+  await settled();
+  await page.click('#back');
+  await settled();
+  assert.ok(distanceOf(await pose(), poses[0]) < 1e-9);
+  await close();
+});
+
+test('a double click keeps what was selected, and what is upright goes back, too', async () => {
+  await open('loops.html');
+  await evaluate(() => window.htloops.page.light(2, false));
+  const { canvas } = await evaluate(() => ({ canvas: [window.htloops.viewer.canvas.clientWidth / 2, window.htloops.viewer.canvas.clientHeight / 2] }));
+  await page.mouse.click(...canvas, { count: 2 });
+  await settled();
+  assert.equal(await evaluate(() => window.htloops.page.lit), 2);
+  await page.select('#up', 'x');
+  await settled();
+  await page.click('#back');
+  await settled();
+  assert.equal(await page.$eval('#up', node => node.value), '');
+  await close();
+});
+
 test('keys do all that the mouse does', async () => {
   await open('loops.html');
   await page.focus('#rows tr');
@@ -326,7 +366,7 @@ test('keys do all that the mouse does', async () => {
 
 // The pictures that have been saved.
 async function saved(width, height) {
-  for (let i = 0; i < 200; ++i) {
+  for (let i = 0; i < 1200; ++i) {
     const name = readdirSync(folder).find(file => /^part.*\.png$/.test(file));
     const bytes = name ? readFileSync(inFolder(name)) : Buffer.alloc(0);
     if (bytes.length > 24 && bytes.readUInt32BE(16) === width && bytes.readUInt32BE(20) === height)
@@ -347,6 +387,8 @@ test('pictures are saved in any size', async () => {
   }, width, height, isClear);
   await save(700, 500, false);
   await saved(700, 500);
+  await save(100000, 20, false);
+  assert.match(await text('#note'), /pixels on a side/);
   await save(1920, 1080, true);
   await saved(1920, 1080);
   const corners = await evaluate(() => {

@@ -106,6 +106,24 @@ htl_picture::Options options_of(const Picture_options& options, const htl_scene:
   return picture;
 }
 
+std::size_t row_of(std::size_t pair, const htl_scene::Scene& scene) {
+  const std::vector<std::size_t>& numbers = scene.table.numbers;
+  const auto row = std::find(numbers.begin(), numbers.end(), pair);
+  if(row == numbers.end())
+    throw wrong_usage("--closeup " + std::to_string(pair) +
+                      ": there is no such pair among those that are listed");
+  return static_cast<std::size_t>(row - numbers.begin());
+}
+
+// Lines that are not of a row become thin, and have no labels.
+void mute_others(std::size_t row, Drawing& drawing) {
+  for(std::size_t i = 0; i < drawing.lines.size(); ++i)
+    if(drawing.rows[i] != row) {
+      drawing.lines[i].label.clear();
+      drawing.lines[i].width *= 0.4;
+    }
+}
+
 // A pair, as it is seen best if no other view was asked for; what cannot be seen from outside is
 // cut free.
 std::string closeup_of(const Picture_options& options,
@@ -113,15 +131,11 @@ std::string closeup_of(const Picture_options& options,
                        const Drawing& drawing,
                        const htl_picture::Panel& panel,
                        htl_picture::Options picture) {
-  const std::vector<std::size_t>& numbers = scene.table.numbers;
-  const auto row = std::find(numbers.begin(), numbers.end(), *options.closeup);
-  if(row == numbers.end())
-    throw wrong_usage("--closeup " + std::to_string(*options.closeup) +
-                      ": there is no such pair among those that are listed");
+  const std::size_t row = row_of(*options.closeup, scene);
   std::vector<std::size_t> lines;
   std::vector<Polyline> loops;
   for(std::size_t i = 0; i < drawing.lines.size(); ++i)
-    if(drawing.rows[i] == static_cast<std::size_t>(row - numbers.begin())) {
+    if(drawing.rows[i] == row) {
       lines.push_back(i);
       loops.push_back(drawing.lines[i].points);
     }
@@ -135,6 +149,8 @@ std::string content_of(const Picture_options& options, const htl_scene::Scene& s
   std::vector<Drawing> drawings;
   for(std::size_t i = 0; i < scene.surfaces.size(); ++i)
     drawings.push_back(drawing_of(scene, i, options));
+  if(options.closeup)
+    mute_others(row_of(*options.closeup, scene), drawings[0]);
   std::vector<htl_picture::Panel> panels;
   for(std::size_t i = 0; i < drawings.size(); ++i) {
     const htl_scene::Surface& surface = scene.surfaces[i];

@@ -471,6 +471,10 @@ htl_scene::Scene scene_of_skeleton(const View& view,
       scene_of_parts("Skeleton of", mesh_file, std::move(around.surface), around.colours);
   scene.paragraphs = lines_of(summary);
   add_arcs(scene, answer);
+  if(scene.table.rows.empty())
+    scene.table.empty =
+        "The skeleton has no arcs: nothing of the surface is longer than it is thick, "
+        "or goes around a hole.";
   look(view, scene);
   return scene;
 }

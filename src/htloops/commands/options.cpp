@@ -278,9 +278,18 @@ std::string quoted(const std::string& file) {
   return "'" + boost::algorithm::replace_all_copy(file, "'", "'\\''") + "'";
 }
 
+namespace {
+
+// A file with such a name would be taken for an option.
+std::string quoted_name(const std::string& file) {
+  return quoted(file[0] == '-' ? "./" + file : file);
+}
+
+} // namespace
+
 std::string words_of_mesh(const Mesh_options& options) {
   const Remedies& remedies = options.remedies;
-  std::string text = options.mesh_file == "-" ? "MESH" : quoted(options.mesh_file);
+  std::string text = quoted_name(options.mesh_file);
   if(!options.format.empty())
     text += " --format " + options.format;
   if(remedies.do_triangulate)
@@ -301,10 +310,11 @@ std::string words_of_mesh(const Mesh_options& options) {
 }
 
 Choice command_to_remove(const Mesh_options& options, const std::string& choice) {
+  if(options.mesh_file == "-") // nobody knows where the mesh came from
+    return {choice + ' ', ""};
   const std::filesystem::path mesh = path_of(options.mesh_file);
-  const std::string name = options.mesh_file == "-" ? "mesh" : printable(mesh.stem().string());
   return {"htloops remove " + words_of_mesh(options) + ' ' + choice + ' ',
-          " -o " + quoted(name + "_without_them.ply")};
+          " -o " + quoted_name(printable(mesh.stem().string()) + "_without_them.ply")};
 }
 
 bool is_looked_at(const Common_options& options) {

@@ -43,12 +43,13 @@ class Camera {
 
   // Where the eye is; `front` is how much is seen in front of the place, the rest is cut away.
   get pose() {
-    const { back, up, place, distance, front } = this;
-    return { back, up, place, distance, front };
+    const { back, up, place, distance, front, home: { up: upright } } = this;
+    return { back, up, place, distance, front, upright };
   }
 
-  set pose({ back, up, place, distance, front }) {
+  set pose({ back, up, place, distance, front, upright }) {
     const across = cross(up, back);
+    this.home.up = upright;
     Object.assign(this, { back: normalized(back), place, distance, front });
     this.right = Math.hypot(...across) > 1e-6 ? normalized(across) : anyAcross(this.back);
     this.up = cross(this.back, this.right);
@@ -60,7 +61,8 @@ class Camera {
 
   // So that the points fill the picture.
   homePose() {
-    const pose = this.poseFrom(this.home.view, [0, 0, 0], 1.06 / Camera.halfAngle), { points } = this.home;
+    const { view, points } = this.home, { everything, halfAngle } = Camera;
+    const pose = this.poseFrom(view, [0, 0, 0], 1.06 / halfAngle, everything, anyAcross(normalized(view)));
     if (points.length === 0)
       return pose;
     const right = normalized(cross(pose.up, pose.back)), up = cross(pose.back, right);
@@ -73,10 +75,11 @@ class Camera {
     return { ...pose, place, distance };
   }
 
-  // Upright as far as that can be.
-  poseFrom(view, place, distance, front = Camera.everything) {
-    const back = normalized(view), { up } = this.home, isAcross = Math.abs(dot(back, normalized(up))) < 0.999;
-    return { back, up: isAcross ? up : this.up || anyAcross(back), place, distance, front };
+  // Upright as far as that can be, else as `other`.
+  poseFrom(view, place, distance, front = Camera.everything, other = this.up) {
+    const back = normalized(view), { up: upright } = this.home;
+    const isAcross = Math.abs(dot(back, normalized(upright))) < 0.999;
+    return { back, up: isAcross ? upright : other, place, distance, front, upright };
   }
 
   // On the way between two poses.
@@ -84,7 +87,7 @@ class Camera {
     return { back: turned(from.back, to.back, t), up: turned(from.up, to.up, t),
              place: sum(from.place, scaled(difference(to.place, from.place), t)),
              distance: from.distance ** (1 - t) * to.distance ** t,
-             front: t < 1 ? from.front ** (1 - t) * to.front ** t : to.front };
+             front: t < 1 ? from.front ** (1 - t) * to.front ** t : to.front, upright: to.upright };
   }
 
   // By angles: about the upright axis of the picture, and about the one to the right.

@@ -108,10 +108,22 @@ function withCopies(numbers, original) {
 function splitByParts({ points, triangles, normals, parts }) {
   const { first, original } = splitVertices(points, triangles, (f, g) => parts[f] === parts[g]);
   return { points: withCopies(points, original), normals: withCopies(normals, original), triangles,
-           partOf: Uint16Array.from(first, face => parts[face] || 0) };
+           partOf: Uint32Array.from(first, face => parts[face] || 0) };
 }
 
-// A surface that looks inwards is turned over: what is looked at is its outside.
+// Whether each side of a triangle is passed the other way by another one: the numbers of both cancel.
+function isClosed(triangles) {
+  let sum = 0;
+  for (let i = 0; i < triangles.length; ++i) {
+    const a = triangles[i], b = triangles[i % 3 === 2 ? i - 2 : i + 1];
+    const mixed = Math.imul(Math.min(a, b) ^ 0x9e3779b9, 0x85ebca6b) ^
+                  Math.imul(Math.max(a, b) + 0x27d4eb2f, 0xc2b2ae35);
+    sum = sum + (a < b ? mixed : -mixed) | 0;
+  }
+  return sum === 0;
+}
+
+// A closed surface that looks inwards is turned over: what is looked at is its outside.
 function turnOutwards({ points, triangles }) {
   let volume = 0;
   for (let i = 0; i < triangles.length; i += 3) {
@@ -188,13 +200,14 @@ function withNormals({ points, triangles, parts }, size) {
 }
 
 async function loadSurface(surface, id, size) {
-  const coded = decodeSurface(await inflated(id), surface);
-  turnOutwards(coded);
+  const coded = decodeSurface(await inflated(id), surface), hasInside = isClosed(coded.triangles);
+  if (hasInside)
+    turnOutwards(coded);
   const creased = withNormals(coded, size);
   const loaded = surface.parts ? splitByParts(creased) : creased;
   sortIntoCells(loaded);
   loaded.coarse = coarseTriangles(loaded);
-  return { ...surface, ...loaded };
+  return { ...surface, ...loaded, hasInside };
 }
 
 // All lines in one array of points; the fourth number of a point is twice that of its line, and one

@@ -51,9 +51,8 @@ class Page {
     let count = 0;
     const colours = scene.lines.map((line, i) => {
       const row = table.rows[line.row], isOfLit = row?.index === this.lit;
-      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden || isOfLit) &&
-                    (isOfLit || !this.ways.has(i)) &&
-                    (line.surface ?? viewer.shown) === viewer.shown;
+      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden) && // of a row that is lit all
+                    (isOfLit || !this.ways.has(i) && (line.surface ?? viewer.shown) === viewer.shown);
       count += shown ? 1 : 0;
       const state = !shown ? 0 : isOfLit ? 255 : 128;
       return [...(table.isColoured && row ? table.colourOf(row) : scene.groups[line.group].colour), state];
@@ -87,7 +86,10 @@ class Page {
       return node;
     };
     const steps = made('div', {}, button('\u2039', 'the one before (p)', -1), button('\u203a', 'the next one (n)', 1));
+    const focused = [...card.querySelectorAll('button')].indexOf(document.activeElement);
     card.replaceChildren(made('h2', { textContent: `${name} ${cell}` }), list, steps);
+    if (focused >= 0)
+      steps.children[focused].focus();
   }
 
   refreshChoice() {
@@ -99,8 +101,10 @@ class Page {
     element('choice').value = chosen.length ? scene.choice[0] + numbers.join(',') + scene.choice[1] : '';
     element('command').hidden = scene.numbers.length === 0;
     element('copy').disabled = element('clear').disabled = chosen.length === 0;
-    if (window.parent !== window) // a page around this one may do something with them
+    const told = numbers.join(); // to a page around this one, which may do something with them
+    if (window.parent !== window && told !== this.told)
       window.parent.postMessage({ chosen: numbers }, '*');
+    this.told = told;
   }
 
   // Lights a row and its lines, and flies there if that is wanted.
@@ -115,7 +119,6 @@ class Page {
     this.viewer.normalOfLoop = lines.length > 0 ? normalOf(this.viewer.pointsOfLine(lines[0])) : null;
     if (isLookedAt)
       this.viewer.lookAt(lines, scene.views[index]);
-    row.node.hidden = false;
     row.node.scrollIntoView({ block: 'nearest' });
   }
 
@@ -130,7 +133,7 @@ class Page {
   // ---- what is done
 
   click(x, y) {
-    if (element('measure').getAttribute('aria-pressed') === 'true')
+    if (this.isMeasuring)
       return this.measure(x, y);
     const line = this.viewer.pick(x, y);
     this.light(line < 0 ? -1 : scene.lines[line].row ?? -1, false);
@@ -142,16 +145,20 @@ class Page {
       return;
     this.overlay.ends = ends.length === 1 ? [...ends, place] : [place];
     const length = this.overlay.lengthMeasured;
-    this.say(length === null ? 'Now the other end.' : `${this.overlay.wordsOf(length)} between these points`);
+    this.note(length === null ? 'Now the other end.' : '');
     this.overlay.draw();
   }
 
+  get isMeasuring() {
+    return element('measure').getAttribute('aria-pressed') === 'true';
+  }
+
   toggleMeasuring() {
-    const button = element('measure'), isOn = button.getAttribute('aria-pressed') !== 'true';
-    button.setAttribute('aria-pressed', isOn);
+    const isOn = !this.isMeasuring;
+    element('measure').setAttribute('aria-pressed', isOn);
     this.viewer.canvas.parentElement.classList.toggle('measuring', isOn);
     this.overlay.ends = [];
-    this.say(isOn ? 'Click two points of the surface.' : '');
+    this.note(isOn ? 'Click two points of the surface.' : '');
     this.overlay.draw();
   }
 
@@ -174,16 +181,28 @@ class Page {
     element('message').classList.toggle('bad', isBad);
   }
 
+  // For a moment.
+  note(text) {
+    clearTimeout(this.noting);
+    element('note').textContent = text;
+    if (!this.isMeasuring)
+      this.noting = setTimeout(() => this.note(''), 6000);
+  }
+
   closeMenus() {
-    document.querySelectorAll('.menu[open]').forEach(menu => { menu.open = false; });
+    document.querySelectorAll('.menu[open]').forEach(menu => {
+      if (menu.contains(document.activeElement))
+        menu.querySelector('summary').focus();
+      menu.open = false;
+    });
   }
 
   // One thing after the other: an open menu, measuring, where one flew to, the lit row.
   escape() {
     if (document.querySelector('.menu[open]'))
       this.closeMenus();
-    else if (element('measure').getAttribute('aria-pressed') === 'true')
-      element('measure').click();
+    else if (this.isMeasuring)
+      this.toggleMeasuring();
     else if (this.viewer.canGoBack)
       this.viewer.goBack();
     else
@@ -192,6 +211,8 @@ class Page {
 
   // All but what was lit and chosen.
   reset() {
+    if (this.isMeasuring)
+      this.toggleMeasuring();
     this.switches.reset();
     this.filters.reset();
     this.refresh();

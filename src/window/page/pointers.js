@@ -30,7 +30,7 @@ class Pointers {
     canvas.onpointerup = event => {
       pointers.delete(event.pointerId);
       if (this.moved < 5 && event.button === 0)
-        this.page.click(...at(event));
+        this.click(event.timeStamp, ...at(event));
     };
     canvas.onpointercancel = event => pointers.delete(event.pointerId);
     canvas.onpointerleave = () => this.hover();
@@ -75,11 +75,22 @@ class Pointers {
       this.resting = setTimeout(() => this.page.showTip(this.viewer.isMoving ? -1 : this.viewer.pick(x, y), x, y), 60);
   }
 
-  // What was pointed at comes to the middle, and all turns about it.
+  // The second one of a double click is no other one.
+  click(time, x, y) {
+    const { last } = this, isSecond = last && time - last.time < 400 && Math.hypot(x - last.x, y - last.y) < 6;
+    this.last = { time, x, y };
+    if (isSecond)
+      return;
+    this.litBefore = this.page.lit;
+    this.page.click(x, y);
+  }
+
+  // What was pointed at comes to the middle, and all turns about it. The row that was lit stays so.
   pivot(x, y) {
     const { viewer } = this, place = viewer.placeAt(x, y), { camera } = viewer;
-    if (!place)
+    if (!place || this.page.isMeasuring)
       return;
+    this.page.light(this.litBefore, false);
     const nearer = dot(difference(place, camera.place), camera.back);
     viewer.flyTo({ ...camera.pose, place, distance: Math.max(0.05, camera.distance - nearer) });
   }
@@ -98,8 +109,8 @@ class Pointers {
     };
     document.addEventListener('keydown', event => {
       const arrow = arrows[event.key], kind = event.target.type || '';
-      const isWriting = /text|search|number|select/.test(kind) && event.key !== 'Escape';
-      if (event.ctrlKey || event.metaKey || event.altKey || isWriting || arrow && /range|radio/.test(kind))
+      const isWriting = /text|search|number|select/.test(kind), isStep = arrow || event.key === 'Home';
+      if (event.ctrlKey || event.metaKey || event.altKey || isWriting || isStep && /range|radio/.test(kind))
         return;
       if (actions[event.key]) {
         actions[event.key]();

@@ -1,6 +1,14 @@
 // Draws surfaces and lines with WebGL, as a view says. The faces are never touched here once they are on the
 // graphics card.
 
+// Where a colour is partly there.
+function divideByOpacity(pixels) {
+  for (let i = 3; i < pixels.length; i += 4)
+    if (pixels[i] % 255 > 0)
+      for (let k = 1; k <= 3; ++k)
+        pixels[i - k] *= 255 / pixels[i];
+}
+
 class Renderer {
   constructor(canvas) {
     this.canvas = canvas;
@@ -49,7 +57,7 @@ class Renderer {
       gl.vertexAttribPointer(index, count, type, type === gl.BYTE, stride, 0);
   }
 
-  addSurface({ points, normals, partOf, triangles, coarse, cells }) {
+  addSurface({ points, normals, partOf, triangles, coarse, cells, hasInside }) {
     const gl = this.gl, { at } = this.programs.surface, array = gl.createVertexArray();
     gl.bindVertexArray(array);
     this.buffer(points);
@@ -57,14 +65,14 @@ class Renderer {
     const normalBuffer = this.buffer(normals);
     this.attribute(at('normal'), 4, gl.BYTE, 4);
     if (partOf) {
-      this.buffer(Uint32Array.from(partOf));
+      this.buffer(partOf);
       this.attribute(at('part'), 1, gl.UNSIGNED_INT, 4);
     } else {
       gl.vertexAttribI4ui(at('part'), 0, 0, 0, 0);
     }
     const full = this.indices(triangles);
     this.surfaces.push({ array, full, coarse: coarse === triangles ? full : this.indices(coarse), cells, triangles,
-                         normalBuffer, palette: this.palette() });
+                         normalBuffer, hasInside, palette: this.palette() });
     gl.bindVertexArray(null);
   }
 
@@ -174,7 +182,7 @@ class Renderer {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    const isOverBones = view.hasBones && !isCoarse && view.opacity < 1;
+    const isOverBones = view.hasBones && view.opacity < 1;
     if (isOverBones)
       this.drawBones();
     this.drawSurfaces();
@@ -199,7 +207,7 @@ class Renderer {
   // A transparent surface: what looks away first, then the nearest that looks to the eye over it.
   drawSurfaces() {
     const gl = this.gl, { opacity } = this.view;
-    if (opacity >= 1 || this.isCoarse)
+    if (opacity >= 1)
       return this.drawSurface(1);
     gl.enable(gl.CULL_FACE);
     gl.cullFace(gl.FRONT);
@@ -217,6 +225,7 @@ class Renderer {
     const uniforms = this.use(this.programs.surface);
     gl.uniform4fv(uniforms.cut, this.cutPlane);
     gl.uniform4fv(uniforms.ink, ink);
+    gl.uniform1i(uniforms.has_inside, surface.hasInside ? 1 : 0);
     for (const [name, axis] of Object.entries({ right, up, back }))
       gl.uniform3fv(uniforms[name], axis);
     gl.uniform1f(uniforms.opacity, opacity);
@@ -336,6 +345,10 @@ class Renderer {
       buffers.forEach(buffer => gl.deleteRenderbuffer(buffer));
       gl.deleteFramebuffer(framebuffer);
     };
+    if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
+      free();
+      throw new Error('the graphics card has no room for it');
+    }
     return { framebuffer, free };
   }
 
@@ -372,17 +385,18 @@ class Renderer {
 
   // A picture of any size, from above, as colours that are not multiplied by their opacities.
   image(view, width, height, background) {
-    const drawn = this.target(width, height, 4), plain = this.target(width, height, 0);
+    const drawn = this.target(width, height, width * height > 8e6 ? 0 : 4), plain = this.target(width, height, 0);
     const pixelRatio = height / this.canvas.clientHeight;
     this.paint(view, { framebuffer: drawn.framebuffer, width, height, background, pixelRatio });
     this.copy(drawn.framebuffer, [width, height], plain.framebuffer, [width, height]);
     const rows = this.pixels(plain.framebuffer, width, height), pixels = new Uint8ClampedArray(rows.length);
     for (let y = 0; y < height; ++y)
       pixels.set(rows.subarray(4 * width * y, 4 * width * (y + 1)), 4 * width * (height - 1 - y));
-    for (let i = 0; i < pixels.length; i += 4)
-      for (let k = 0; k < 3 && pixels[i + 3] % 255 > 0; ++k)
-        pixels[i + k] *= 255 / pixels[i + 3];
+    if (background[3] < 1)
+      divideByOpacity(pixels);
     [drawn, plain].forEach(({ free }) => free());
+    if (this.gl.isContextLost())
+      throw new Error('the graphics card had no room for it');
     return new ImageData(pixels, width, height);
   }
 

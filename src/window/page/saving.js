@@ -1,5 +1,7 @@
 // What leaves the page: a picture, and the command for the chosen rows.
 
+const MOST_PIXELS = 4e7; // of a picture: 320 MB for the graphics card
+
 class Saving {
   constructor(page) {
     this.page = page;
@@ -21,38 +23,62 @@ class Saving {
   }
 
   proposeSize() {
-    ['width', 'height'].forEach((id, i) => { element(id).value ||= this.size[i]; });
+    ['width', 'height'].forEach((id, i) => { element(id).value = this.size[i]; });
+  }
+
+  // What was asked for, or null, if that cannot be.
+  get wantedSize() {
+    const size = ['width', 'height'].map((id, i) => Math.round(Number(element(id).value)) || this.size[i]);
+    const { largestSide } = this.viewer.renderer, [width, height] = size;
+    return Math.min(...size) >= 16 && Math.max(...size) <= largestSide && width * height <= MOST_PIXELS ? size : null;
   }
 
   save() {
-    const { viewer, page } = this, { renderer, camera } = viewer;
+    const { viewer, page } = this;
     if (!viewer.isReady)
       return page.say('There is no picture to save.', true);
-    const [width, height] = ['width', 'height'].map((id, i) =>
-      clamped(Math.round(Number(element(id).value)) || this.size[i], 16, renderer.largestSide));
-    const { aspect } = camera, drawn = made('canvas', { width, height });
-    const background = element('clear-background').checked ? [0, 0, 0, 0] : [...viewer.background, 1];
-    camera.aspect = width / height;
-    drawn.getContext('2d').putImageData(renderer.image(viewer, width, height, background), 0, 0);
-    camera.aspect = aspect;
-    viewer.draw();
-    drawn.toBlob(blob => this.download(blob));
+    const size = this.wantedSize;
+    if (!size)
+      return page.note(`A picture has 16 to ${viewer.renderer.largestSide} pixels on a side, and ` +
+                       `${MOST_PIXELS / 1e6} million at most.`);
+    try {
+      this.draw(...size).toBlob(blob => this.download(blob));
+    } catch (error) {
+      page.note(`There is no such picture: ${error.message}`);
+    }
     return page.closeMenus();
+  }
+
+  draw(width, height) {
+    const { viewer } = this, { camera, renderer } = viewer, { aspect } = camera;
+    const background = element('clear-background').checked ? [0, 0, 0, 0] : [...viewer.background, 1];
+    const drawn = made('canvas', { width, height });
+    try {
+      camera.aspect = width / height;
+      drawn.getContext('2d').putImageData(renderer.image(viewer, width, height, background), 0, 0);
+    } finally {
+      camera.aspect = aspect;
+      viewer.draw();
+    }
+    return drawn;
   }
 
   download(blob) {
     if (!blob)
-      return this.page.say('This browser cannot make a picture of that size.', true);
+      return this.page.note('This browser cannot make a picture of that size.');
     const link = made('a', { href: URL.createObjectURL(blob), download: `${scene.name}.png` });
     link.click();
     return setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
-  copy() {
+  async copy() {
     element('choice').select();
-    if (navigator.clipboard && window.isSecureContext)
-      navigator.clipboard.writeText(element('choice').value).catch(() => document.execCommand('copy'));
-    else
-      document.execCommand('copy');
+    try {
+      await navigator.clipboard.writeText(element('choice').value);
+      this.page.note('Copied.');
+    } catch {
+      const isCopied = document.execCommand('copy');
+      this.page.note(isCopied ? 'Copied.' : 'This browser does not let a page copy. It is selected.');
+    }
   }
 }

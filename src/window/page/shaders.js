@@ -38,6 +38,7 @@ flat in vec3 colour;
 uniform vec4 cut;
 uniform vec3 right, up, back;
 uniform float opacity;
+uniform bool has_inside;
 uniform vec4 ink; // of edges; or its opacity is 0
 out vec4 result;
 float diffuse(vec3 n, vec3 light) {
@@ -58,12 +59,13 @@ void main() {
   vec3 key = normalize(-.45 * right + .65 * up + .75 * back);
   vec3 fill = normalize(.8 * right - .1 * up + .55 * back);
   vec3 rim = normalize(.3 * right + .7 * up - .6 * back);
-  float sky = gl_FrontFacing ? open : .6;
+  bool is_inside = has_inside && !gl_FrontFacing;
+  float sky = is_inside ? .6 : open;
   vec3 light = sky * (vec3(.2, .21, .24) + (.5 + .5 * dot(n, up)) * vec3(.13, .14, .16)) +
                (.35 + .65 * sky) * (diffuse(n, key) * vec3(.74, .72, .68) +
                                     diffuse(n, fill) * vec3(.13, .14, .17) + diffuse(n, rim) * vec3(.1));
   float facing = clamp(dot(n, to_eye), 0., 1.), away = 1. - facing;
-  vec3 shade = colour * (gl_FrontFacing ? vec3(1.) : vec3(.62, .5, .36)) * light;
+  vec3 shade = colour * (is_inside ? vec3(.62, .5, .36) : vec3(1.)) * light;
   shade += .1 * sky * pow(max(dot(n, normalize(key + to_eye)), 0.), 40.);
   result = vec4(pow(shade * (.5 + .5 * (1. - away * away * away)), vec3(1. / 2.2)), opacity);
 }`;

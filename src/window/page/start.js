@@ -39,7 +39,8 @@ async function loadSurfaces(viewer, page) {
     await soon();
     surfaces.push(await loadSurface(surface, `surface${i}`, viewer.size));
   }
-  page.say('');
+  if (!viewer.renderer.gl.isContextLost())
+    page.say('');
   surfaces.forEach(surface => viewer.addSurface(surface));
   viewer.camera.home.points = surfaces.flatMap(({ points }) => someOf(points, viewer.placing));
   viewer.isAtHome = true;
@@ -62,10 +63,17 @@ async function addLight(viewer) {
 
 async function start() {
   const began = performance.now(), viewer = new Viewer(element('canvas'), scene);
-  viewer.setLines(await loadLines(scene));
+  const canUnpack = 'DecompressionStream' in window;
+  if (canUnpack)
+    viewer.setLines(await loadLines(scene));
+  else
+    scene.lines = [];
   const page = new Page(viewer);
   window.htloops = { page, viewer, scene };
-  makeRenderer(viewer, page);
+  if (canUnpack)
+    makeRenderer(viewer, page);
+  else
+    page.say('This browser is too old to unpack the surface. The table works without it.', true);
   if (viewer.renderer)
     await loadSurfaces(viewer, page);
   page.refresh();

@@ -51,7 +51,7 @@ class Switches {
       element(id)[event] = () => {
         action(element(id));
         this.refresh();
-        viewer.draw();
+        viewer.stir();
       };
     };
     change('opacity', 'oninput', node => { viewer.opacity = node.value / 100; });
@@ -61,8 +61,11 @@ class Switches {
     change('thick', 'onchange', node => { viewer.isThick = node.checked; });
     change('open', 'onchange', node => { camera.front = node.checked ? this.frontOfLit() : Camera.everything; });
     change('up', 'onchange', node => {
+      const before = camera.home.up;
       camera.home.up = node.value ? axisNamed(node.value) : scene.up;
-      viewer.flyTo(camera.poseFrom(camera.back, camera.place, camera.distance, camera.front));
+      const pose = camera.poseFrom(camera.back, camera.place, camera.distance, camera.front);
+      camera.home.up = before;
+      viewer.flyTo(pose);
     });
   }
 
@@ -71,7 +74,7 @@ class Switches {
     const { camera } = this.viewer, { lines } = this.page.table.rows[this.page.lit];
     const heights = lines.flatMap(i => this.viewer.pointsOfLine(scene.lines[i]))
       .map(p => dot(difference(p, camera.place), camera.back));
-    return Math.max(1.1 * Math.max(...heights), 1e-3);
+    return heights.length > 0 ? Math.max(1.1 * Math.max(...heights), 1e-3) : Camera.everything;
   }
 
   makeButtons() {
@@ -83,7 +86,12 @@ class Switches {
       };
     };
     toggle('panel', 'alone', 'aria-expanded', true);
+    element('panel').addEventListener('click', () => {
+      if (element('side').contains(document.activeElement))
+        element('panel').focus();
+    });
     toggle('sheet', 'open', 'aria-expanded');
+    element('sheet').hidden = page.table.rows.length === 0 && scene.empty === '';
     toggle('wide', 'wide', 'aria-pressed');
     element('full').hidden = !document.fullscreenEnabled;
     element('full').onclick = () => this.fillScreen();
@@ -93,6 +101,9 @@ class Switches {
     document.querySelectorAll('.menu').forEach(menu => { // of which one is open
       menu.ontoggle = () => document.querySelectorAll('.menu[open]').forEach(other => {
         other.open = other === menu || !menu.open;
+      });
+      menu.addEventListener('focusout', event => {
+        menu.open = menu.open && (!event.relatedTarget || menu.contains(event.relatedTarget));
       });
     });
   }
@@ -125,7 +136,10 @@ class Switches {
     viewer.camera.home.up = scene.up;
     this.page.groupsShown.fill(true);
     document.querySelectorAll('#legend input[type=checkbox]').forEach(box => { box.checked = true; });
-    element('up').value = '';
+    if (Number(element('ball').value) > 0) {
+      element('ball').value = 0;
+      element('ball').oninput();
+    }
     this.refresh();
   }
 
@@ -142,6 +156,9 @@ class Switches {
 
   // What depends on where the eye is.
   refreshForView() {
+    const { up } = this.viewer.camera.home, names = [...element('up').options].map(option => option.value);
+    const isUp = name => name !== '' && String(axisNamed(name)) === String(up);
+    element('up').value = up === scene.up ? '' : names.find(isUp) ?? '';
     element('back').disabled = !this.viewer.canGoBack;
     element('open').checked = this.viewer.camera.isCutOpen;
     element('open').disabled = this.page.lit < 0;

@@ -67,19 +67,20 @@ class Table {
 
   // Words that occur in it, or comparisons with a column, and commas between these.
   isFound(row) {
-    return this.search.toLowerCase().split(',').map(term => term.trim()).every(term => {
-      const [, name, sign, value] = term.match(/^([^<>=]+)(<=|>=|<|>|=)(.+)$/) || [];
-      const column = name ? this.columnOf(name.trim()) : -1;
-      if (column < 0)
+    return this.search.toLowerCase().split(/,(?![^(]*\))/).map(term => term.trim()).every(term => {
+      const [, name, sign, value] = (term.match(/^([^<>=]*)(<=|>=|<|>|=)(.*)$/) || []).map(text => text.trim());
+      if (!sign)
         return row.cells.some(cell => cell.toLowerCase().includes(term));
-      const cell = row.cells[column].toLowerCase(), [a, b] = [cell, value.trim()].map(text => parseFloat(text));
-      return Number.isNaN(b) ? sign === '=' && cell === value.trim() : comparisons[sign](a, b);
+      const cell = row.cells[this.columnOf(name)]?.toLowerCase(), [a, b] = [cell, value].map(Number.parseFloat);
+      if (cell === undefined || value === '' || Number.isNaN(b) && sign !== '=')
+        return true; // it is not finished
+      return Number.isNaN(b) || Number.isNaN(a) ? sign === '=' && cell === value : comparisons[sign](a, b);
     });
   }
 
   columnOf(name) {
     const names = this.scene.columns.map(column => column.name.toLowerCase()), whole = names.indexOf(name);
-    return whole >= 0 ? whole : names.findIndex(other => other.startsWith(name));
+    return whole >= 0 || name === '' ? whole : names.findIndex(other => other.startsWith(name));
   }
 
   isShown(row) {
@@ -89,7 +90,7 @@ class Table {
   // Evenly over the values that there are; grey where none is known.
   colourOf(row) {
     const value = this.values[row.index], last = Math.max(1, this.steps.length - 1);
-    return value === null ? [140, 140, 140] : tint(this.steps.indexOf(value) / last);
+    return value === null || value === undefined ? [140, 140, 140] : tint(this.steps.indexOf(value) / last);
   }
 
   get chosen() {
@@ -120,7 +121,6 @@ class Table {
       button.onclick = () => this.sort(i);
       element('head').append(made('th', { className: this.classes[i], scope: 'col' }, button));
     });
-    element('wide').hidden = !this.classes.some(name => name.includes('long'));
   }
 
   makeRows() {
@@ -140,12 +140,15 @@ class Table {
       row.node.onkeydown = event => this.listen(event, row);
     }
     element('rows').append(...this.rows.map(row => row.node));
+    const { scrollWidth, clientWidth } = element('table');
+    element('wide').hidden = scrollWidth <= clientWidth && !this.classes.some(name => name.includes('long'));
   }
 
   listen(event, row) {
-    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (by) {
-      const { shown } = this, next = shown[shown.indexOf(row) + by];
+    const { shown } = this, at = shown.indexOf(row);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: shown.length - 1 }[event.key];
+    if (to !== undefined) {
+      const next = shown[to];
       if (next)
         this.focus(next);
     } else if (event.key === 'Enter' && event.target === row.node) {
@@ -178,12 +181,21 @@ class Table {
       'aria-sort', i !== column + 1 ? 'none' : this.descending ? 'descending' : 'ascending'));
   }
 
+  // The row that is lit is shown, whatever hides others.
   refresh(lit) {
+    const hadFocus = element('rows').contains(document.activeElement);
     for (const row of this.rows) {
-      row.node.hidden = !this.isShown(row);
+      row.node.hidden = !this.isShown(row) && row.index !== lit;
       row.node.classList.toggle('lit', row.index === lit);
       row.node.setAttribute('aria-selected', row.index === lit);
     }
+    const { shown } = this;
+    if (shown.length === 0 || shown.some(({ node }) => node.tabIndex === 0))
+      return;
+    if (hadFocus)
+      this.focus(shown[0]);
+    else
+      shown[0].node.tabIndex = 0;
   }
 
   // What is told of a row, with names: the first words stand for it.

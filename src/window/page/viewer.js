@@ -47,12 +47,12 @@ class Viewer {
 
   fillParts(number, colours) {
     this.renderer?.fill(this.renderer.surfaces[number].palette, colours);
-    this.draw();
+    this.stir();
   }
 
   fillLines(colours) {
     this.renderer?.fill(this.renderer.lines.palette, colours);
-    this.draw();
+    this.stir();
   }
 
   // By steps from where its points were.
@@ -66,7 +66,7 @@ class Viewer {
 
   refillLines() {
     this.renderer?.setLines(this.linePoints);
-    this.draw();
+    this.stir();
   }
 
   pointOfLine(i) {
@@ -160,9 +160,14 @@ class Viewer {
       costs.triangle = Math.max(0, time - costs.frame) / triangles;
   }
 
-  // Soon again, and in full when it has come to rest.
+  // The eye was moved.
   move() {
     this.isAtHome = false;
+    this.stir();
+  }
+
+  // Soon again, with less if that takes long, and in full when it has come to rest.
+  stir() {
     this.isMoving = true;
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
@@ -182,7 +187,7 @@ class Viewer {
 
   // To a pose, in half a second, or at once if little is to move.
   fly(pose, done = () => {}) {
-    const { pose: from } = this.camera, began = performance.now(), flight = this.flight = {};
+    const { pose: from } = this.camera, began = performance.now(), flight = this.flight = { pose };
     const duration = matchMedia('(prefers-reduced-motion: reduce)').matches || !this.isReady ? 0 : 500;
     const step = () => {
       if (this.flight !== flight)
@@ -207,7 +212,8 @@ class Viewer {
   }
 
   flyTo(pose) {
-    this.poses = [...this.poses.slice(-49), this.camera.pose];
+    const from = this.flight ? this.flight.pose : { ...this.camera.pose, isAtHome: this.isAtHome };
+    this.poses = [...this.poses.slice(-49), from];
     this.fly(pose);
   }
 
@@ -216,8 +222,10 @@ class Viewer {
   }
 
   goBack() {
-    if (this.canGoBack)
-      this.fly(this.poses.pop());
+    if (!this.canGoBack)
+      return;
+    const pose = this.poses.pop();
+    this.fly(pose, () => { this.isAtHome = pose.isAtHome || false; });
   }
 
   goHome() {
