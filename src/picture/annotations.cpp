@@ -193,7 +193,8 @@ void annotate(const Seen_lines& seen,
               const Options& options,
               const Words& words,
               std::vector<Colour>& pixels) {
-  Text_layer texts(seen.width, seen.height, (std::max)(10., seen.height / 44.));
+  Text_layer texts(seen.width, seen.height,
+                   (std::max)(10., (std::min)(double(seen.height), 0.75 * seen.width) / 44.));
   if(options.has_scale_bar && has_font())
     add_scale_bar(seen, options, texts);
   if(!words.caption.empty())
