@@ -198,6 +198,7 @@ class Viewer {
         this.move();
         requestAnimationFrame(step);
       } else {
+        clearTimeout(this.rest); // what was due at rest is drawn now
         this.flight = null;
         this.isMoving = this.isAtHome = false;
         done();
