@@ -10,9 +10,9 @@
 #ifndef HTL_PICTURE_PICTURE_H
 #define HTL_PICTURE_PICTURE_H
 
-#include <array>
+#include "scene/scene.h"
+
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,9 +22,9 @@
 
 namespace htl_picture {
 
-using Colour = std::array<unsigned char, 3>; ///< sRGB
-using Point = std::array<double, 3>;
-using Triangle = std::array<std::uint32_t, 3>;
+using htl_scene::Colour;
+using htl_scene::Point;
+using htl_scene::Triangle;
 
 /// A polyline, drawn as a tube; one of a single point as a ball.
 struct Line

@@ -19,12 +19,6 @@
 
 namespace htloops {
 
-inline Vector minus(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-inline double norm(const Vector& a) { return length_of_vector(a[0], a[1], a[2]); }
-
 /// of a triangle, as long as twice its area.
 inline Vector normal_of(const Vector& a, const Vector& b, const Vector& c) {
   return cross(minus(b, a), minus(c, a));

@@ -41,9 +41,15 @@ inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+inline Vector minus(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline double norm(const Vector& a) { return length_of_vector(a[0], a[1], a[2]); }
+
 /// the vector of length one, or the null vector.
 inline Vector unit(const Vector& a) {
-  const double length = length_of_vector(a[0], a[1], a[2]);
+  const double length = norm(a);
   return length > 0. ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{};
 }
 

@@ -322,13 +322,15 @@ Views views_of(const View& given,
   View_search search(surface, all.chosen, unit(up));
   const Vector from = given.from.empty() ? search.best_direction()
                                          : Vector{given.from[0], given.from[1], given.from[2]};
+  if(!given.is_for_rows)
+    return {{from, up}, {}};
   return {{from, up}, search.best_for_groups(lines_in_group)};
 }
 
 std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
                                               const std::vector<std::vector<Polyline>>& groups,
                                               const Vector& up) {
-  const View given = {{1., 0., 0.}, {up[0], up[1], up[2]}, {}}; // the whole is of no interest
+  const View given = {{1., 0., 0.}, {up[0], up[1], up[2]}, {}, true}; // the whole is of no interest
   return views_of(given, surface, groups).of_groups;
 }
 

@@ -26,6 +26,7 @@ struct View
   std::vector<double> from;     ///< the direction from the surface to the eye
   std::vector<double> up;       ///< the direction that is upright
   std::vector<Polyline> chosen; ///< closed lines that are to be seen
+  bool is_for_rows = true;      ///< scenes tell from where those of each row are seen, too
 };
 
 /// A view without defaults.

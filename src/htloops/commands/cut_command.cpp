@@ -110,7 +110,7 @@ void write_files(const Cut_command_options& options,
   for(const std::string& file : options.lines_files)
     export_lines(file, lines);
   if(is_looked_at(options))
-    show_scene(options, scene_of_cut(options.view, options.mesh_file, mesh, lines, words),
+    show_scene(options, scene_of_cut(view_of(options), options.mesh_file, mesh, lines, words),
                mended.facts.unit);
 }
 

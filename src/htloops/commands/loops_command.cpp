@@ -73,7 +73,7 @@ std::string remark_on_numbers(const Loops_options& options) {
 }
 
 htl_scene::Scene scene_of(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
-  return scene_of_loops(options.view, options.mesh_file, mesh, line.answer, line.listing,
+  return scene_of_loops(view_of(options), options.mesh_file, mesh, line.answer, line.listing,
                         words_of_left_out(line) + summary_of(options, line) +
                             remark_on_numbers(options),
                         command_to_remove(options, choice_of_pairs(options)));
@@ -83,7 +83,7 @@ htl_scene::Scene scene_of(const Loops_options& options, const Mesh& mesh, const 
 void show_layers(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
   const Grown_layers grown = grown_layers(mesh, line.answer, *options.moment);
   if(!options.picture.file.empty())
-    export_picture(options.picture, scene_of_layers(options.view, options.mesh_file, grown));
+    export_picture(options.picture, scene_of_layers(view_of(options), options.mesh_file, grown));
   if(!options.gltf_file.empty())
     export_gltf(options.gltf_file, grown.surface, grown.fronts);
   if(!options.page_file.empty())

@@ -285,8 +285,7 @@ std::string quoted_name(const std::string& file) {
   return quoted(file[0] == '-' ? "./" + file : file);
 }
 
-} // namespace
-
+// What 'htloops remove' is told of a mesh: its name, its format, and what is done to it first.
 std::string words_of_mesh(const Mesh_options& options) {
   const Remedies& remedies = options.remedies;
   std::string text = quoted_name(options.mesh_file);
@@ -309,12 +308,20 @@ std::string words_of_mesh(const Mesh_options& options) {
   return text;
 }
 
+} // namespace
+
 Choice command_to_remove(const Mesh_options& options, const std::string& choice) {
   if(options.mesh_file == "-") // nobody knows where the mesh came from
     return {choice + ' ', ""};
   const std::filesystem::path mesh = path_of(options.mesh_file);
   return {"htloops remove " + words_of_mesh(options) + ' ' + choice + ' ',
           " -o " + quoted_name(printable(mesh.stem().string()) + "_without_them.ply")};
+}
+
+View view_of(const Common_options& options) {
+  View view = options.view;
+  view.is_for_rows = !options.page_file.empty();
+  return view;
 }
 
 bool is_looked_at(const Common_options& options) {

@@ -110,11 +110,11 @@ struct Common_options : Mesh_options
 /// a name as a shell takes it.
 std::string quoted(const std::string& file);
 
-/// what 'htloops remove' is told of a mesh: its name, its format, and what is done to it first.
-std::string words_of_mesh(const Mesh_options& options);
-
 /// a command that removes the handles of chosen pairs; `choice` is what precedes their numbers.
 Choice command_to_remove(const Mesh_options& options, const std::string& choice = "--pairs");
+
+/// that which was asked for; a row is flown to on pages only.
+View view_of(const Common_options& options);
 
 /// whether a picture or a page is asked for.
 bool is_looked_at(const Common_options& options);

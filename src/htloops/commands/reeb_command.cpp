@@ -138,7 +138,7 @@ void write_files(const Reeb_command_options& options,
     export_coloured_mesh(options.parts_file, mesh, answer);
   if(is_looked_at(options))
     show_scene(options,
-               scene_of_reeb_graph(options.view, options.mesh_file, mesh, answer, arcs, text),
+               scene_of_reeb_graph(view_of(options), options.mesh_file, mesh, answer, arcs, text),
                mended.facts.unit);
   if(!options.gltf_file.empty()) {
     const std::vector<Colour> tints = tints_of(mesh, answer);

@@ -136,9 +136,9 @@ void write_files(const Remove_options& options,
     export_gltf(options.gltf_file, drawn_surface(mesh), lines_of(answer, told.listing));
   if(is_looked_at(options))
     show_scene(options,
-               scene_of_removal(options.view, {options.mesh_file, command_to_remove(options), mesh,
-                                               answer.pairs, told.listing, removal, summed_up,
-                                               options.is_dry_run, answer.unit}));
+               scene_of_removal(view_of(options), {options.mesh_file, command_to_remove(options),
+                                                   mesh, answer.pairs, told.listing, removal,
+                                                   summed_up, options.is_dry_run, answer.unit}));
 }
 
 // What was asked for, in other words: lengths are often taken for diameters, and the unit for

@@ -90,7 +90,7 @@ void write_files(const Skeleton_command_options& options,
     export_model(options, mesh, answer);
   if(is_looked_at(options))
     show_scene(options,
-               scene_of_skeleton(options.view, options.mesh_file, mesh, answer,
+               scene_of_skeleton(view_of(options), options.mesh_file, mesh, answer,
                                  summary(answer, read_seconds)),
                mended.facts.unit);
 }
