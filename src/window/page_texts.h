@@ -10,9 +10,9 @@
 #ifndef HTL_WINDOW_PAGE_TEXTS_H
 #define HTL_WINDOW_PAGE_TEXTS_H
 
-#include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace htl_window {
 
@@ -21,7 +21,7 @@ std::string html_of(std::string_view text);
 
 // The files in page/ as they were when this was built; scripts in their order.
 extern const std::string_view page_html, page_css;
-extern const std::array<std::string_view, 17> page_scripts;
+extern const std::vector<std::string_view> page_scripts;
 
 } // namespace htl_window
 

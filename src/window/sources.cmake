@@ -9,8 +9,9 @@ set(HTL_WINDOW_SOURCES
 # comments are for who reads them here.
 function(htl_embed_page output)
   set(folder "${CMAKE_CURRENT_FUNCTION_LIST_DIR}")
+  set(scripts "")
   foreach(name IN ITEMS page.html page.css camera.js cells.js decode.js coarse.js openness.js sight.js
-      shaders.js renderer.js viewer.js overlay.js table.js pointers.js filters.js switches.js saving.js
+      shaders.js lines.js renderer.js viewer.js overlay.js table.js pointers.js filters.js switches.js saving.js
       page.js start.js)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/page/${name}")
     file(READ "${folder}/page/${name}" text)
@@ -21,6 +22,9 @@ function(htl_embed_page output)
     endif()
     string(REPLACE "." "_" variable "${name}")
     set(${variable} "${text}")
+    if(name MATCHES "js$")
+      string(APPEND scripts "\n    R\"page(${text})page\",")
+    endif()
   endforeach()
   configure_file("${folder}/page_texts.cpp.in" "${output}" @ONLY)
 endfunction()

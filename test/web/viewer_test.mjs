@@ -376,6 +376,61 @@ async function saved(width, height) {
   return assert.fail('no picture of that size');
 }
 
+test('what takes long is drawn at once, then in steps with smooth rims, and gives way to what is done meanwhile', async () => {
+  await open('gyroid.html');
+  const seen = await evaluate(async () => {
+    const { viewer } = window.htloops, { renderer } = viewer, { gl } = renderer, { copy } = renderer, frames = [];
+    renderer.copy = function (...words) {
+      copy.apply(this, words);
+      if (words[2] !== null)
+        return;
+      const data = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, data);
+      frames.push(data);
+    };
+    const differences = (a, b) => a.reduce((all, x, i) => all + (Math.abs(x - b[i]) > 3 ? 1 : 0), 0) / a.length;
+    const slow = { frame: 1e6, triangle: 0 };
+    Object.assign(viewer.costs, { frame: 0, triangle: 0 });
+    viewer.drawNow();
+    Object.assign(viewer.costs, slow);
+    viewer.drawNow();
+    await viewer.settled();
+    const [smooth, plain, steps] = frames, number = frames.length;
+    Object.assign(viewer.costs, slow);
+    viewer.drawNow();
+    viewer.camera.turn(1, 0.3);
+    viewer.move(); // while that is refined
+    await viewer.settled();
+    const last = frames[frames.length - 1];
+    Object.assign(viewer.costs, { frame: 0, triangle: 0 });
+    viewer.drawNow();
+    return { number, sameAsAtOnce: differences(smooth, steps), plain: differences(smooth, plain),
+             turned: differences(smooth, last), sameAfterTurn: differences(last, frames[frames.length - 1]) };
+  });
+  assert.equal(seen.number, 3);
+  assert.equal(seen.sameAsAtOnce, 0);
+  assert.ok(seen.plain > 0 && seen.plain < 0.2, `rims only: ${seen.plain}`);
+  assert.ok(seen.turned > 0.05);
+  assert.equal(seen.sameAfterTurn, 0);
+  await close();
+});
+
+test('the keyboard goes on at the surface when what had it goes', async () => {
+  await open('loops.html');
+  const focused = () => evaluate(() => document.activeElement.id);
+  await clickRow(2);
+  await settled();
+  await page.focus('#back');
+  await page.keyboard.press('Enter');
+  await settled();
+  assert.equal(await focused(), 'canvas');
+  await page.focus('#card button');
+  await page.keyboard.press('Escape');
+  await settled();
+  assert.equal(await focused(), 'canvas');
+  await close();
+});
+
 test('pictures are saved in any size', async () => {
   await open('loops.html');
   const save = (width, height, isClear) => evaluate((...all) => {

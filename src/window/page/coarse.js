@@ -35,16 +35,32 @@ function clustered({ points, triangles, partOf }, bits) {
   return kept.slice(0, end);
 }
 
-// Points of a line that are not near each other, and its ends.
-function coarseLines(points) {
-  const kept = [], near = STEPS / 100;
-  for (let i = 0, last = 0; i < points.length; i += 4) {
-    const isFirst = i === 0 || points[i + 3] >> 1 !== points[i - 1] >> 1;
-    const isFar = () => [0, 1, 2].some(k => Math.abs(stepsOf(points, i / 4, k) - stepsOf(points, last / 4, k)) > near);
-    if (isFirst || points[i + 3] % 2 === 0 || isFar()) {
-      kept.push(...points.subarray(i, i + 4));
-      last = i;
+// Fewer points of lines, so that none that is left out is further than `tolerance` steps from where the line then
+// is. Where a line has radii all stay.
+function thinned(points, tolerance) {
+  const kept = [], goesOn = i => points[4 * i + 3] % 2 === 1, count = points.length / 4;
+  for (let first = 0; first < count; ++first) {
+    kept.push(first);
+    while (goesOn(first)) {
+      let next = first + 1;
+      while (goesOn(next) && !(points[4 * next] >>> 16) && isStraight(points, first, next + 1, tolerance))
+        ++next;
+      kept.push(first = next);
     }
   }
-  return Uint32Array.from(kept);
+  return Uint32Array.from({ length: 4 * kept.length }, (_, i) => points[4 * kept[i >> 2] + i % 4]);
+}
+
+const LONGEST = 100; // segments that become one
+
+function isStraight(points, first, last, tolerance) {
+  const from = [0, 1, 2].map(k => stepsOf(points, first, k)),
+        along = from.map((x, k) => stepsOf(points, last, k) - x), length2 = dot(along, along);
+  for (let i = first + 1; i < last; ++i) {
+    const [x, y, z] = from.map((x, k) => stepsOf(points, i, k) - x);
+    const t = clamped((x * along[0] + y * along[1] + z * along[2]) / length2 || 0, 0, 1);
+    if ((x - t * along[0]) ** 2 + (y - t * along[1]) ** 2 + (z - t * along[2]) ** 2 > tolerance ** 2)
+      return false;
+  }
+  return last - first <= LONGEST;
 }

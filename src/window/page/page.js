@@ -74,7 +74,7 @@ class Page {
 
   refreshCard() {
     const row = this.table.rows[this.lit], card = element('card');
-    card.hidden = !row;
+    withdraw(card, 'hidden', !row);
     if (!row)
       return;
     const [[name, cell], ...others] = this.table.namesAndCells(row), list = made('dl');
@@ -100,7 +100,7 @@ class Page {
     const numbers = chosen.map(row => scene.numbers[row.index]);
     element('choice').value = chosen.length ? scene.choice[0] + numbers.join(',') + scene.choice[1] : '';
     element('command').hidden = scene.numbers.length === 0;
-    element('copy').disabled = element('clear').disabled = chosen.length === 0;
+    ['copy', 'clear'].forEach(id => withdraw(element(id), 'disabled', chosen.length === 0));
     const told = numbers.join(); // to a page around this one, which may do something with them
     if (window.parent !== window && told !== this.told)
       window.parent.postMessage({ chosen: numbers }, '*');

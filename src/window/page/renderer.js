@@ -9,6 +9,21 @@ function divideByOpacity(pixels) {
         pixels[i - k] *= 255 / pixels[i];
 }
 
+// How much is drawn: while it moves less, in half the size, which takes far less time where there is no graphics
+// card; at rest first what looks to the eye, then all, with smooth rims.
+const DETAIL = {
+  moving: { isCoarse: true, part: 0.5, samples: 0 },
+  plain: { part: 1, samples: 0, isCulled: true },
+  smooth: { part: 1, samples: 4 },
+};
+
+const SLICE = 1.5e5; // corners of triangles that are drawn without a break
+
+// All of what is done in steps.
+function finish(steps) {
+  while (!steps.next().done);
+}
+
 class Renderer {
   constructor(canvas) {
     this.canvas = canvas;
@@ -108,7 +123,7 @@ class Renderer {
     return texture;
   }
 
-  // Colours with a fourth number; for lines: hidden 0, shown 128, lit 255.
+  // Colours with a fourth number.
   fill(texture, colours) {
     const gl = this.gl, rows = Math.max(1, Math.ceil(colours.length / PALETTE_WIDTH));
     const data = new Uint8Array(4 * PALETTE_WIDTH * rows);
@@ -118,21 +133,8 @@ class Renderer {
   }
 
   setLines(points) {
-    const palette = this.lines?.palette || this.palette();
-    for (const detail of ['full', 'coarse'])
-      this.gl.deleteTexture(this.lines?.[detail].texture || null);
-    this.lines = { full: this.pointTexture(points), coarse: this.pointTexture(coarseLines(points)), palette,
-                   nothing: this.lines?.nothing || this.gl.createVertexArray() };
-  }
-
-  pointTexture(points) {
-    const gl = this.gl, texture = this.palette(), count = points.length / 4;
-    const rows = Math.max(1, Math.ceil(count / PALETTE_WIDTH));
-    const data = new Uint32Array(4 * PALETTE_WIDTH * rows);
-    data.set(points);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, PALETTE_WIDTH, rows, 0, gl.RGBA_INTEGER,
-                  gl.UNSIGNED_INT, data);
-    return { texture, count };
+    this.lines ||= new Lines(this);
+    this.lines.setPoints(points);
   }
 
   // ---- a picture
@@ -145,21 +147,18 @@ class Renderer {
     return lengthOf(this.runs) / 3;
   }
 
-  // Onto the canvas, as large as that is; with `isCoarse` less, and in half the size, which takes far less time
-  // where there is no graphics card.
-  show(view, background, isCoarse, pixelRatio) {
-    const { width, height } = this.canvas, part = isCoarse ? 0.5 : 1;
-    const size = [width, height].map(x => Math.max(1, Math.round(x * part)));
-    const samples = isCoarse ? 0 : 4, key = [...size, samples].join();
-    const known = this.screens?.get(isCoarse);
+  // Onto the canvas, as large as that is, in steps between which others may have the processor.
+  *show(view, background, detail, pixelRatio) {
+    const { width, height } = this.canvas, { part, samples } = detail;
+    const size = [width, height].map(x => Math.max(1, Math.round(x * part))), key = [...size, samples].join();
+    const known = (this.screens ||= new Map()).get(detail);
     if (known?.key !== key) {
       known?.free();
-      (this.screens ||= new Map()).set(isCoarse, { ...this.target(...size, samples), key });
+      this.screens.set(detail, { ...this.target(...size, samples), key });
     }
-    const { framebuffer } = this.screens.get(isCoarse);
-    const [drawnWidth, drawnHeight] = size;
-    this.paint(view, { framebuffer, width: drawnWidth, height: drawnHeight, background, isCoarse,
-                       pixelRatio: pixelRatio * part });
+    const { framebuffer } = this.screens.get(detail), [drawnWidth, drawnHeight] = size;
+    yield* this.paint(view, { framebuffer, width: drawnWidth, height: drawnHeight, background, detail,
+                              pixelRatio: pixelRatio * part });
     this.copy(framebuffer, size, null, [width, height]);
   }
 
@@ -172,10 +171,17 @@ class Renderer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  paint(view, { framebuffer, width, height, background, isCoarse = false, pixelRatio }) {
-    const gl = this.gl;
-    Object.assign(this, { view, frame: [width, height], isCoarse, pixelRatio });
+  begin(view, width, height, detail, pixelRatio) {
+    Object.assign(this, { view, detail });
     this.prepare(view);
+    this.lines.begin(view, [width, height], detail, pixelRatio);
+    this.isCulled = detail.isCulled && this.surfaces[view.shown].hasInside && view.cut.part >= 1 &&
+                    !view.camera.isCutOpen;
+  }
+
+  *paint(view, { framebuffer, width, height, background, detail = DETAIL.smooth, pixelRatio }) {
+    const gl = this.gl;
+    this.begin(view, width, height, detail, pixelRatio);
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     gl.viewport(0, 0, width, height);
     gl.clearColor(...background);
@@ -185,10 +191,10 @@ class Renderer {
     const isOverBones = view.hasBones && view.opacity < 1;
     if (isOverBones)
       this.drawBones();
-    this.drawSurfaces();
-    if (view.isWired && !isCoarse)
+    yield* this.drawSurfaces();
+    if (view.isWired && !detail.isCoarse)
       this.drawEdges();
-    this.drawLines(isOverBones);
+    yield* this.drawLines(isOverBones);
   }
 
   use(program) {
@@ -205,19 +211,16 @@ class Renderer {
   }
 
   // A transparent surface: what looks away first, then the nearest that looks to the eye over it.
-  drawSurfaces() {
-    const gl = this.gl, { opacity } = this.view;
+  *drawSurfaces() {
+    const gl = this.gl, { opacity } = this.view, culled = this.isCulled ? gl.BACK : null;
     if (opacity >= 1)
-      return this.drawSurface(1);
-    gl.enable(gl.CULL_FACE);
-    gl.cullFace(gl.FRONT);
-    this.drawSurface(opacity, true);
-    gl.disable(gl.CULL_FACE);
+      return yield* this.drawSurface(1, culled);
+    yield* this.drawSurface(opacity, gl.FRONT, true);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.colorMask(false, false, false, false);
-    this.drawSurface(1);
+    yield* this.drawSurface(1, culled);
     gl.colorMask(true, true, true, true);
-    this.drawSurface(opacity, true);
+    yield* this.drawSurface(opacity, culled, true);
   }
 
   useSurface(opacity, ink) {
@@ -229,22 +232,36 @@ class Renderer {
     for (const [name, axis] of Object.entries({ right, up, back }))
       gl.uniform3fv(uniforms[name], axis);
     gl.uniform1f(uniforms.opacity, opacity);
+    const isDimmed = opacity < 1 && Math.max(...this.view.background) < 0.5; // by what shows through
+    gl.uniform1f(uniforms.gain, isDimmed ? 1.5 : 1);
     gl.bindTexture(gl.TEXTURE_2D, surface.palette);
     gl.bindVertexArray(surface.array);
     return surface;
   }
 
-  drawSurface(opacity, isBlended = false) {
-    const gl = this.gl, surface = this.useSurface(opacity, [0, 0, 0, 0]);
+  *drawSurface(opacity, culled = null, isBlended = false) {
+    const gl = this.gl, surface = this.useSurface(opacity, [0, 0, 0, 0]), { isCoarse } = this.detail;
     (isBlended ? gl.enable : gl.disable).call(gl, gl.BLEND);
     gl.depthFunc(gl.LEQUAL);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
-    const { buffer, count } = this.isCoarse ? surface.coarse : surface.full;
+    (culled ? gl.enable : gl.disable).call(gl, gl.CULL_FACE);
+    if (culled)
+      gl.cullFace(culled);
+    const { buffer, count } = isCoarse ? surface.coarse : surface.full;
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
-    for (const [first, end] of this.isCoarse && surface.coarse !== surface.full ? [[0, count]] : this.runs)
-      gl.drawElements(gl.TRIANGLES, end - first, gl.UNSIGNED_INT, 4 * first);
+    let due = 0;
+    for (const [first, end] of isCoarse && surface.coarse !== surface.full ? [[0, count]] : this.runs)
+      for (let i = first; i < end; i += SLICE) {
+        const length = Math.min(SLICE, end - i);
+        gl.drawElements(gl.TRIANGLES, length, gl.UNSIGNED_INT, 4 * i);
+        if ((due += length) >= SLICE) {
+          due = 0;
+          yield;
+        }
+      }
     gl.disable(gl.POLYGON_OFFSET_FILL);
+    gl.disable(gl.CULL_FACE);
   }
 
   drawEdges() {
@@ -263,15 +280,15 @@ class Renderer {
     const gl = this.gl;
     gl.disable(gl.BLEND);
     gl.depthMask(true);
-    this.isRound = true;
-    this.drawSegments(gl.LEQUAL, 0, 1);
-    this.isRound = false;
+    this.lines.isRound = true;
+    this.lines.draw(gl.LEQUAL, 0, 1);
+    this.lines.isRound = false;
   }
 
   // Hidden ones pale, and the paler the more there are; the stencil keeps each pixel to one of them. Of those
   // that are seen the nearest is on top: their cores cover depth, but not their faint rims, which would hide
   // the next segments.
-  drawLines(isOverBones) {
+  *drawLines(isOverBones) {
     const gl = this.gl, { isAnyLit, opacity, numberShown } = this.view;
     const crowd = Math.min(1, Math.sqrt(30 / Math.max(1, numberShown)));
     gl.enable(gl.BLEND);
@@ -280,51 +297,31 @@ class Renderer {
     gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
     gl.stencilFunc(gl.EQUAL, 0, 255);
     if (isAnyLit)
-      this.drawSegments(gl.GREATER, 1, 0.65);
+      this.lines.draw(gl.GREATER, 1, 0.65);
     if (!isOverBones)
-      this.drawSegments(gl.GREATER, 0, (0.34 + 0.5 * (1 - opacity)) * crowd);
+      this.lines.draw(gl.GREATER, 0, (0.34 + 0.5 * (1 - opacity)) * crowd);
+    yield;
     gl.disable(gl.STENCIL_TEST);
     if (isOverBones)
       this.drawBones();
     else
-      this.drawOverEachOther(0);
+      yield* this.drawOverEachOther(0);
     if (isAnyLit)
-      this.drawOverEachOther(1);
+      yield* this.drawOverEachOther(1);
     gl.depthMask(true);
   }
 
-  drawOverEachOther(wanted) {
+  *drawOverEachOther(wanted) {
     const gl = this.gl;
-    if (!this.isCoarse) {
+    if (!this.detail.isCoarse) {
       gl.depthMask(true);
       gl.colorMask(false, false, false, false);
-      this.drawSegments(gl.LEQUAL, wanted, 1, true);
+      this.lines.draw(gl.LEQUAL, wanted, 1, true);
       gl.colorMask(true, true, true, true);
       gl.depthMask(false);
+      yield;
     }
-    this.drawSegments(gl.LEQUAL, wanted, 1);
-  }
-
-  drawSegments(depth, wanted, strength, isCore = false) {
-    const gl = this.gl, { camera, lineWidth, isThick, placing } = this.view;
-    const uniforms = this.use(this.programs.line), { depth: factor, offset } = camera.matrix();
-    const pixels = this.frame[1] / 2 / camera.extent[1]; // of a unit of length, at the depth 1
-    gl.uniform2fv(uniforms.size, this.frame);
-    gl.uniform1f(uniforms.width, lineWidth * this.pixelRatio);
-    gl.uniform1f(uniforms.strength, strength);
-    gl.uniform1i(uniforms.wanted, wanted);
-    gl.uniform1f(uniforms.least, isCore ? 0.98 : wanted === 2 || strength < 1 || this.isRound ? 0.5 : 0.02);
-    gl.uniform1f(uniforms.thick, isThick && this.isRound ? Math.max(...placing.scale) * pixels : 0);
-    gl.uniform3f(uniforms.round, factor, offset, this.isRound ? pixels : 0);
-    const { texture, count } = this.lines[this.isCoarse ? 'coarse' : 'full'];
-    gl.uniform1i(uniforms.points, 1);
-    gl.activeTexture(gl.TEXTURE1);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.lines.palette);
-    gl.bindVertexArray(this.lines.nothing);
-    gl.depthFunc(depth);
-    gl.drawArrays(gl.TRIANGLES, 0, 6 * Math.max(0, count - 1));
+    this.lines.draw(gl.LEQUAL, wanted, 1);
   }
 
   // ---- other pictures
@@ -364,20 +361,19 @@ class Renderer {
   // seen there, and less if it is behind the surface.
   numbers(view, width, height, isCoarse) {
     const gl = this.gl, { framebuffer, free } = this.target(width, height, 0);
-    Object.assign(this, { view, frame: [width, height], isCoarse, pixelRatio: width / this.canvas.clientWidth });
-    this.prepare(view);
+    this.begin(view, width, height, isCoarse ? DETAIL.moving : DETAIL.smooth, width / this.canvas.clientWidth);
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
     gl.depthMask(true);
-    this.drawSegments(gl.LEQUAL, 2, 0.5);
+    this.lines.draw(gl.LEQUAL, 2, 0.5);
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.colorMask(false, false, false, false);
-    this.drawSurface(1);
+    finish(this.drawSurface(1));
     gl.colorMask(true, true, true, true);
-    this.drawSegments(gl.LEQUAL, 2, 1);
+    this.lines.draw(gl.LEQUAL, 2, 1);
     const pixels = this.pixels(framebuffer, width, height);
     free();
     return pixels;
@@ -387,7 +383,7 @@ class Renderer {
   image(view, width, height, background) {
     const drawn = this.target(width, height, width * height > 8e6 ? 0 : 4), plain = this.target(width, height, 0);
     const pixelRatio = height / this.canvas.clientHeight;
-    this.paint(view, { framebuffer: drawn.framebuffer, width, height, background, pixelRatio });
+    finish(this.paint(view, { framebuffer: drawn.framebuffer, width, height, background, pixelRatio }));
     this.copy(drawn.framebuffer, [width, height], plain.framebuffer, [width, height]);
     const rows = this.pixels(plain.framebuffer, width, height), pixels = new Uint8ClampedArray(rows.length);
     for (let y = 0; y < height; ++y)
@@ -407,5 +403,15 @@ class Renderer {
   // Until all that was asked for is drawn.
   wait() {
     this.pixels(null, 1, 1);
+  }
+
+  // The same, but does not hold up the page.
+  async drawn() {
+    const gl = this.gl, fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    do
+      await soon();
+    while (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED);
+    gl.deleteSync(fence);
   }
 }

@@ -53,6 +53,7 @@ class Saving {
     const { viewer } = this, { camera, renderer } = viewer, { aspect } = camera;
     const background = element('clear-background').checked ? [0, 0, 0, 0] : [...viewer.background, 1];
     const drawn = made('canvas', { width, height });
+    viewer.stopRefining();
     try {
       camera.aspect = width / height;
       drawn.getContext('2d').putImageData(renderer.image(viewer, width, height, background), 0, 0);

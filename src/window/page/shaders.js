@@ -37,7 +37,7 @@ in float open;
 flat in vec3 colour;
 uniform vec4 cut;
 uniform vec3 right, up, back;
-uniform float opacity;
+uniform float opacity, gain;
 uniform bool has_inside;
 uniform vec4 ink; // of edges; or its opacity is 0
 out vec4 result;
@@ -67,7 +67,7 @@ void main() {
   float facing = clamp(dot(n, to_eye), 0., 1.), away = 1. - facing;
   vec3 shade = colour * (is_inside ? vec3(.62, .5, .36) : vec3(1.)) * light;
   shade += .1 * sky * pow(max(dot(n, normalize(key + to_eye)), 0.), 40.);
-  result = vec4(pow(shade * (.5 + .5 * (1. - away * away * away)), vec3(1. / 2.2)), opacity);
+  result = vec4(pow(gain * shade * (.5 + .5 * (1. - away * away * away)), vec3(1. / 2.2)), opacity);
 }`;
 
 // A segment as two triangles around it, of constant width in pixels, or as thick as it is; a little

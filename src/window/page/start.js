@@ -1,7 +1,5 @@
 // Reads what the page carries, and shows it: first the table, then the surface, then the light in its cavities.
 
-const soon = () => new Promise(resolve => setTimeout(resolve));
-
 // A graphics card may be lost, and come back.
 function watchContext(viewer, page) {
   viewer.canvas.addEventListener('webglcontextlost', event => {
@@ -51,8 +49,8 @@ async function addLight(viewer) {
   for (const [i, surface] of viewer.surfaces.entries()) {
     const isDone = await addOpenness(surface, viewer.size, async () => {
       do
-        await new Promise(resolve => setTimeout(resolve, viewer.isMoving ? 100 : 0));
-      while (viewer.isMoving);
+        await new Promise(resolve => setTimeout(resolve, viewer.isBusy ? 100 : 0));
+      while (viewer.isBusy);
       return false;
     });
     if (isDone && viewer.isReady)

@@ -159,7 +159,7 @@ class Switches {
     const { up } = this.viewer.camera.home, names = [...element('up').options].map(option => option.value);
     const isUp = name => name !== '' && String(axisNamed(name)) === String(up);
     element('up').value = up === scene.up ? '' : names.find(isUp) ?? '';
-    element('back').disabled = !this.viewer.canGoBack;
+    withdraw(element('back'), 'disabled', !this.viewer.canGoBack);
     element('open').checked = this.viewer.camera.isCutOpen;
     element('open').disabled = this.page.lit < 0;
   }

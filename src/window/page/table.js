@@ -2,6 +2,16 @@
 
 const element = id => document.getElementById(id);
 
+const soon = () => new Promise(resolve => setTimeout(resolve));
+
+// Hides or disables a control, or what holds some; the keyboard then goes on at the surface.
+function withdraw(node, property, isAway) {
+  const hadFocus = node.contains(document.activeElement);
+  node[property] = isAway;
+  if (isAway && hadFocus)
+    element('canvas').focus({ preventScroll: true });
+}
+
 function made(tag, properties = {}, ...children) {
   const node = Object.assign(document.createElement(tag), properties);
   node.append(...children);

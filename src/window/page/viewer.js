@@ -30,6 +30,7 @@ class Viewer {
   // Draws with the renderer from now on; after a loss of the graphics card with another one.
   setRenderer(renderer) {
     this.renderer = renderer;
+    this.refining = null;
     if (this.linePoints)
       renderer.setLines(this.linePoints);
     this.surfaces.forEach(surface => renderer.addSurface(surface));
@@ -51,7 +52,7 @@ class Viewer {
   }
 
   fillLines(colours) {
-    this.renderer?.fill(this.renderer.lines.palette, colours);
+    this.renderer?.lines.fill(colours);
     this.stir();
   }
 
@@ -134,26 +135,63 @@ class Viewer {
     if (this.isAtHome)
       this.camera.pose = this.camera.homePose();
     this.lineNumbers = null;
-    if (this.isReady) {
-      const pixelRatio = window.devicePixelRatio || 1, began = performance.now();
-      const [width, height] = [clientWidth, clientHeight].map(x => Math.max(1, Math.round(x * pixelRatio)));
-      if (this.canvas.width !== width || this.canvas.height !== height)
-        Object.assign(this.canvas, { width, height });
-      const triangles = this.renderer.prepare(this), isCoarse = Boolean(this.isMoving) && this.timeFor(triangles) > 60;
-      this.renderer.show(this, [...this.background, 1], isCoarse, pixelRatio);
-      if (!isCoarse)
-        this.learnCosts(triangles, began);
-    }
+    if (this.isReady)
+      this.paint(clientWidth, clientHeight);
     this.listeners.forEach(listener => listener());
+  }
+
+  paint(clientWidth, clientHeight) {
+    const pixelRatio = window.devicePixelRatio || 1, { renderer } = this;
+    const [width, height] = [clientWidth, clientHeight].map(x => Math.max(1, Math.round(x * pixelRatio)));
+    if (this.canvas.width !== width || this.canvas.height !== height)
+      Object.assign(this.canvas, { width, height });
+    const triangles = renderer.prepare(this), time = this.timeFor(triangles);
+    const show = detail => renderer.show(this, [...this.background, 1], detail, pixelRatio);
+    this.refining = null;
+    if (this.isMoving && time > 60)
+      return finish(show(DETAIL.moving));
+    if (time > 250) {
+      finish(show(DETAIL.plain));
+      return this.refine(show(DETAIL.smooth), triangles);
+    }
+    const began = performance.now();
+    finish(show(DETAIL.smooth));
+    renderer.wait();
+    this.learnCosts(triangles, performance.now() - began);
+  }
+
+  // The steps of a picture, one by one, unless there is something else to draw.
+  async refine(steps, triangles) {
+    this.refining = steps;
+    await this.renderer.drawn();
+    const began = performance.now();
+    while (this.refining === steps && this.isReady && !steps.next().done)
+      await this.renderer.drawn();
+    if (this.refining !== steps)
+      return;
+    this.refining = null;
+    if (this.isReady)
+      this.learnCosts(triangles, performance.now() - began);
+  }
+
+  // Before the renderer draws something else.
+  stopRefining() {
+    if (this.refining)
+      this.draw();
+    this.refining = null;
+  }
+
+  // Whether the processor is better left alone.
+  get isBusy() {
+    return Boolean(this.flight || this.isMoving || this.isDue || this.refining);
   }
 
   timeFor(triangles) {
     return this.costs.frame + triangles * this.costs.triangle;
   }
 
-  learnCosts(triangles, began) {
-    this.renderer.wait();
-    const time = performance.now() - began, { costs } = this;
+  learnCosts(triangles, time) {
+    const { costs } = this;
     if (triangles < 5e4)
       costs.frame = time;
     else
@@ -179,7 +217,7 @@ class Viewer {
 
   // When nothing moves any more, and all is drawn.
   async settled() {
-    while (this.flight || this.isMoving || this.isDue || this.isLightDue)
+    while (this.isBusy || this.isLightDue)
       await new Promise(resolve => setTimeout(resolve, 10));
   }
 
@@ -261,6 +299,8 @@ class Viewer {
       return -1;
     const { clientWidth: width, clientHeight: height } = this.canvas, reach = 6;
     const isCoarse = this.timeFor(this.renderer.prepare(this)) > 300;
+    if (!this.lineNumbers)
+      this.stopRefining();
     this.lineNumbers ||= this.renderer.numbers(this, width, height, isCoarse);
     let found = -1, nearest = Infinity;
     for (let v = Math.max(0, Math.round(y) - reach); v <= Math.min(height - 1, Math.round(y) + reach); ++v)
