@@ -24,7 +24,8 @@
 
 namespace htl_window {
 
-/// The box around all that is shown, in 65535 steps along each axis.
+/// The box around all that is shown, in 65535 steps along each axis; lines that go far out from the
+/// surfaces are pressed to its sides.
 class Grid
 {
 public:
@@ -33,8 +34,11 @@ public:
   explicit Grid(const Scene& scene) {
     for(const Surface& surface : scene.surfaces)
       add(surface.points);
+    const Point low = low_, high = high_;
     for(const Line& line : scene.lines)
       add(line.points);
+    if(low[0] <= high[0])
+      keep_about(low, high);
   }
 
   Place place_of(const Point& p) const {
@@ -42,7 +46,8 @@ public:
     for(int i = 0; i < 3; ++i)
       if(low_[i] < high_[i]) {
         // Halves, as an extent may be larger than the largest number.
-        const double part = (p[i] / 2. - low_[i] / 2.) / (high_[i] / 2. - low_[i] / 2.);
+        const double x = std::clamp(p[i], low_[i], high_[i]);
+        const double part = (x / 2. - low_[i] / 2.) / (high_[i] / 2. - low_[i] / 2.);
         place[i] = static_cast<std::int32_t>(part * 65535. + 0.5);
       }
     return place;
@@ -75,6 +80,18 @@ private:
     for(int i = 0; i < 3; ++i)
       half[i] = low_[i] < high_[i] ? high_[i] / 2. - low_[i] / 2. : 0.;
     return half;
+  }
+
+  // No further from the surfaces than half of their largest extent: lines may go far out, where
+  // nobody looks, and would leave the surfaces few steps.
+  void keep_about(const Point& low, const Point& high) {
+    double aside = 0.;
+    for(int i = 0; i < 3; ++i)
+      aside = (std::max)(aside, high[i] / 2. - low[i] / 2.);
+    for(int i = 0; i < 3; ++i) {
+      low_[i] = (std::max)(low_[i], low[i] - aside);
+      high_[i] = (std::min)(high_[i], high[i] + aside);
+    }
   }
 
   void add(const std::vector<Point>& points) {

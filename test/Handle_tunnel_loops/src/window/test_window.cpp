@@ -188,6 +188,28 @@ TEST(Grid, HasTheWholeRangeOfNumbers) {
   EXPECT_EQ(grid.size()[2], 0.);
 }
 
+TEST(Grid, SurfacesKeepMostOfTheStepsWhereverLinesGo) {
+  Scene scene;
+  scene.surfaces.resize(1);
+  scene.surfaces[0].points = {{0., 0., 0.}, {4., 2., 1.}};
+  scene.lines.resize(1);
+  scene.lines[0].points = {{0., -1e6, 0.}, {2., 1., 1e300}, {5., 1., 0.}};
+  const Grid grid(scene);
+  EXPECT_EQ(grid.place_of({2., -1e6, 0.})[1], 0);
+  EXPECT_EQ(grid.place_of({2., 1., 1e300})[2], 65535);
+  EXPECT_EQ(grid.extent(), 5.); // x: from 0 to where a line is; y: from -2 to 2; z: from 0 to 3
+  EXPECT_EQ(grid.place_of({4., 0., 1.}), (Grid::Place{52428, 32768, 21845}));
+}
+
+TEST(Grid, LinesAloneHaveAllSteps) {
+  Scene scene;
+  scene.lines.resize(1);
+  scene.lines[0].points = {{-7., 0., 0.}, {9., 0., 0.}};
+  const Grid grid(scene);
+  EXPECT_EQ(grid.extent(), 16.);
+  EXPECT_EQ(grid.place_of({9., 0., 0.}), (Grid::Place{65535, 0, 0}));
+}
+
 // The examples of RFC 4648.
 TEST(Base64, IsThatOfTheStandard) {
   for(const auto& [bytes, text] : {std::pair<const char*, const char*>("", ""),
