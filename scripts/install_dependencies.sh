@@ -24,7 +24,7 @@ benchmarks=("${tests[@]}" libbenchmark-dev libvtk9-dev)
 web=(cmake ninja-build emscripten esbuild dpkg-dev libcgal-dev libeigen3-dev libcli11-dev nlohmann-json3-dev
   libtinygltf-dev libstb-dev fonts-dejavu-core python3-fonttools zopfli)
 command -v npm >/dev/null || web+=(npm) # that of Debian does not go with a node that is not
-packages=("${tests[@]}" debhelper dh-python dpkg-dev lintian debootstrap autopkgtest doxygen pkg-config
+packages=("${tests[@]}" debhelper dh-python dpkg-dev lintian debootstrap autopkgtest doxygen libjs-mathjax pkg-config
   python3-pip python3-setuptools python3-wheel python3-venv ccache)
 windows=(cmake ninja-build g++-mingw-w64-x86-64-posix dpkg-dev libcgal-dev libeigen3-dev libcli11-dev nlohmann-json3-dev
   libtinygltf-dev libstb-dev fonts-dejavu-core)
