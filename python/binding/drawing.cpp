@@ -37,19 +37,20 @@ namespace {
 using htl_scene::Scene;
 using htloops::counted;
 using htloops::Mesh;
+using htloops::View;
 
 const htloops::Choice choice = {"pairs = [", "]"};
 
 // Makes what is drawn, for which nothing of Python is needed any more. Titles end before the name.
-using Make_scene = std::function<Scene()>;
+using Make_scene = std::function<Scene(const View&)>;
 
 Make_scene scene_of_loops(const Mesh& mesh, const py::dict& record) {
-  return [&mesh, pairs = pairs_of(record, mesh)] {
+  return [&mesh, pairs = pairs_of(record, mesh)](const View& view) {
     htloops::Answer answer; // as far as it is drawn
     answer.pairs = pairs;
     answer.boundaries = htloops::find_boundaries(mesh, false);
     answer.bores = htloops::find_bores(mesh, answer.pairs);
-    return htloops::scene_of_loops({}, "", mesh, answer, htloops::list_pairs(mesh, answer),
+    return htloops::scene_of_loops(view, "", mesh, answer, htloops::list_pairs(mesh, answer),
                                    counted(pairs.size(), "pair", "pairs") + " of loops\n", choice);
   };
 }
@@ -58,20 +59,20 @@ Make_scene scene_of_skeleton(const Mesh& mesh, const py::dict& record) {
   const htloops::Skeleton_answer answer = skeleton_of(record);
   require(answer.vertex_point.size() == mesh.number_of_vertices(),
           "the skeleton is of another mesh");
-  return [&mesh, answer] {
+  return [&mesh, answer](const View& view) {
     const std::string words = counted(answer.arcs.size(), "arc", "arcs") + ", " +
                               counted(htloops::number_of_cycles(answer.graph), "cycle", "cycles") +
                               (answer.certificate() ? ", certified\n" : ", not certified\n");
-    return htloops::scene_of_skeleton({}, "", mesh, answer, words);
+    return htloops::scene_of_skeleton(view, "", mesh, answer, words);
   };
 }
 
 Make_scene scene_of_reeb_graph(const Mesh& mesh, const py::dict& record) {
   return [&mesh, answer = reeb_answer_of(record, mesh),
-          cycles = record["number_of_cycles"].cast<std::size_t>()] {
+          cycles = record["number_of_cycles"].cast<std::size_t>()](const View& view) {
     const std::string words = counted(num_edges(answer.graph), "arc", "arcs") + ", " +
                               counted(cycles, "cycle", "cycles") + "\n";
-    return htloops::scene_of_reeb_graph({}, "", mesh, answer, htloops::list_arcs(mesh, answer),
+    return htloops::scene_of_reeb_graph(view, "", mesh, answer, htloops::list_arcs(mesh, answer),
                                         words);
   };
 }
@@ -82,19 +83,19 @@ Make_scene scene_of_removal(const Mesh& mesh, const py::dict& record) {
   for(const std::int64_t origin : removal.face_origins)
     require(origin < static_cast<std::int64_t>(mesh.number_of_faces()),
             "the mesh is not the one from which handles were removed");
-  return [&mesh, removal, pairs = pairs_of(record["loops"], mesh)] {
+  return [&mesh, removal, pairs = pairs_of(record["loops"], mesh)](const View& view) {
     htloops::Answer answer;
     answer.pairs = pairs;
     const htloops::Pair_listing listing =
         list_removals(htloops::list_pairs(mesh, answer), removal.report);
     const std::string words = htloops::summary(removal.report);
-    return htloops::scene_of_removal({}, {"", choice, mesh, pairs, listing, removal, words});
+    return htloops::scene_of_removal(view, {"", choice, mesh, pairs, listing, removal, words});
   };
 }
 
 Make_scene scene_of_cut(const Mesh& mesh, const py::dict& record) {
-  return [&mesh, edges = edges_between(record["edges"], mesh)] {
-    return htloops::scene_of_cut({}, "", mesh, htloops::lines_of(mesh, edges),
+  return [&mesh, edges = edges_between(record["edges"], mesh)](const View& view) {
+    return htloops::scene_of_cut(view, "", mesh, htloops::lines_of(mesh, edges),
                                  counted(edges.size(), "edge", "edges") + "\n");
   };
 }
@@ -117,7 +118,7 @@ void page(const std::string& file,
   const Mesh mesh = mesh_of(points, triangles);
   const Make_scene make = scene_of(mesh, kind, record);
   compute(0, watch, [&] {
-    Scene scene = make();
+    Scene scene = make({});
     scene.title += title;
     scene.name = title;
     htloops::write_page(file, scene);
@@ -139,7 +140,9 @@ void picture(const std::string& file,
   options.file = file;
   options.size = size;
   htloops::check_picture_size(options);
-  compute(0, watch, [&] { htloops::export_picture(options, make()); });
+  View view;
+  view.is_for_rows = false; // only pages ask for rows
+  compute(0, watch, [&] { htloops::export_picture(options, make(view)); });
 }
 
 } // namespace
