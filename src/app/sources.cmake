@@ -43,6 +43,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   draw/scenes.cpp
   draw/seen_lines.cpp
   draw/skeletons.cpp
+  draw/spread_lines.cpp
   draw/surfaces.cpp
   draw/tints.cpp
   draw/upright.cpp

@@ -78,11 +78,14 @@ struct Overview
   std::vector<Colour> pixels;
 };
 
-Overview overview_of(const Panel& panel, const std::vector<Point>& focus, const Options& whole) {
+Overview overview_of(const Panel& panel,
+                     const std::vector<Point>& focus,
+                     const Options& whole,
+                     int width_of_whole) {
   Options options = whole;
   options.line_width_px = (std::max)(1.5, 0.4 * whole.line_width_px);
   Overview overview = {
-      (std::max)(1, whole.width * 27 / 100), (std::max)(1, whole.height * 27 / 100), {}};
+      (std::max)(1, width_of_whole * 27 / 100), (std::max)(1, whole.height * 27 / 100), {}};
   const Camera camera = camera_for({panel}, options, overview.width, overview.height);
   const Subject subject = {panel.points, panel.triangles, panel.triangle_colours, panel.lines,
                            false};
@@ -112,6 +115,38 @@ Overview overview_of(const Panel& panel, const std::vector<Point>& focus, const 
   return overview;
 }
 
+// Puts it in the lower right corner of the picture of a panel, if that has room for it.
+void paste_overview(const Panel& panel,
+                    const std::vector<Point>& focus,
+                    const Options& options,
+                    int width,
+                    std::vector<Colour>& pixels) {
+  const Overview overview = overview_of(panel, focus, options, width);
+  const int margin = options.height / 60;
+  if(overview.width + margin < width && overview.height + margin < options.height)
+    paste(overview.pixels, overview.width, width - overview.width - margin,
+          options.height - overview.height - margin, width, pixels);
+}
+
+int width_of_panel(const std::vector<Panel>& panels, const Options& options) {
+  return options.width / (std::max)(1, static_cast<int>(panels.size()));
+}
+
+// The pictures `paint(panel, is_first)`, each as wide as a panel is.
+template <typename Paint>
+std::string
+encode_side_by_side(const std::vector<Panel>& panels, const Options& options, const Paint& paint) {
+  std::vector<Colour> pixels(std::size_t(options.width) * std::size_t(options.height),
+                             options.background);
+  const int width = width_of_panel(panels, options);
+  int x = 0;
+  for(const Panel& panel : panels) {
+    paste(paint(panel, x == 0), width, x, 0, options.width, pixels);
+    x += width;
+  }
+  return encode_png(options.width, options.height, pixels, options.look);
+}
+
 } // namespace
 
 void check_size(std::size_t width, std::size_t height) {
@@ -126,22 +161,17 @@ void check_size(std::size_t width, std::size_t height) {
 
 std::string encode_picture(const std::vector<Panel>& panels, const Options& options) {
   check(panels, options);
-  std::vector<Colour> pixels(std::size_t(options.width) * std::size_t(options.height),
-                             options.background);
-  const int width = options.width / (std::max)(1, static_cast<int>(panels.size()));
+  const int width = width_of_panel(panels, options);
   const Camera camera = camera_for(panels, options, width, options.height);
-  int x = 0;
-  for(const Panel& panel : panels) {
+  return encode_side_by_side(panels, options, [&](const Panel& panel, bool is_first) {
     const Subject subject = {panel.points, panel.triangles, panel.triangle_colours, panel.lines,
                              false};
     Painter painter(subject, camera, options, width, options.height);
-    std::vector<Colour> part = painter.paint();
+    std::vector<Colour> pixels = painter.paint();
     annotate({panel.lines, camera, painter.lines(), width, options.height}, options,
-             {x == 0, panel.caption}, part);
-    paste(part, width, x, 0, options.width, pixels);
-    x += width;
-  }
-  return encode_png(options.width, options.height, pixels, options.look);
+             {is_first, panel.caption}, pixels);
+    return pixels;
+  });
 }
 
 std::string encode_picture(const std::vector<Point>& points,
@@ -152,31 +182,29 @@ std::string encode_picture(const std::vector<Point>& points,
   return encode_picture({{points, triangles, triangle_colours, lines}}, options);
 }
 
-std::string
-encode_closeup(const Panel& panel, const std::vector<std::size_t>& lines, const Options& options) {
-  check({panel}, options);
-  std::vector<Point> focus;
-  for(const std::size_t i : lines)
-    focus.insert(focus.end(), panel.lines[i].points.begin(), panel.lines[i].points.end());
+std::string encode_closeup(const std::vector<Panel>& panels,
+                           const std::vector<Point>& focus,
+                           const Options& options) {
+  check(panels, options);
+  const int width = width_of_panel(panels, options);
   constexpr double part = 0.55; // of the picture: what is around it is seen, too
-  const Camera camera = camera_for({&focus}, options, options.width, options.height, part);
+  const Camera camera = camera_for({&focus}, options, width, options.height, part);
   float nearest = -1.f;
   for(const Point& point : focus)
     nearest = (std::max)(nearest, camera.in_frame(point).z);
   constexpr float room = 0.12f; // in front of it
-  const Rest rest = rest_below(nearest + room, camera, panel.points, panel.triangles,
-                               panel.triangle_colours, panel.lines);
-  const Subject subject = {rest.points, rest.triangles, rest.triangle_colours, rest.lines, true};
-  Painter painter(subject, camera, options, options.width, options.height);
-  std::vector<Colour> pixels = painter.paint();
-  annotate({rest.lines, camera, painter.lines(), options.width, options.height}, options,
-           {true, panel.caption}, pixels);
-  const Overview overview = overview_of(panel, focus, options);
-  const int margin = options.height / 60;
-  if(overview.width + margin < options.width && overview.height + margin < options.height)
-    paste(overview.pixels, overview.width, options.width - overview.width - margin,
-          options.height - overview.height - margin, options.width, pixels);
-  return encode_png(options.width, options.height, pixels, options.look);
+  return encode_side_by_side(panels, options, [&](const Panel& panel, bool is_first) {
+    const Rest rest = rest_below(nearest + room, camera, panel.points, panel.triangles,
+                                 panel.triangle_colours, panel.lines);
+    const Subject subject = {rest.points, rest.triangles, rest.triangle_colours, rest.lines, true};
+    Painter painter(subject, camera, options, width, options.height);
+    std::vector<Colour> pixels = painter.paint();
+    annotate({rest.lines, camera, painter.lines(), width, options.height}, options,
+             {is_first, panel.caption}, pixels);
+    if(is_first)
+      paste_overview(panel, focus, options, width, pixels);
+    return pixels;
+  });
 }
 
 } // namespace htl_picture

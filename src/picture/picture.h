@@ -95,10 +95,10 @@ std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Line>& lines,
                            const Options& options = Options());
 
-/// of some lines, by their numbers, large. What is nearer to the eye is cut away, and a small
-/// picture in a corner tells where they are.
-std::string encode_closeup(const Panel& panel,
-                           const std::vector<std::size_t>& lines,
+/// of what is around some points, large. What is nearer to the eye is cut away, and a small picture
+/// in a corner tells where on the first surface they are.
+std::string encode_closeup(const std::vector<Panel>& panels,
+                           const std::vector<Point>& focus,
                            const Options& options = Options());
 
 } // namespace htl_picture

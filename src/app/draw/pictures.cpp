@@ -124,25 +124,61 @@ void mute_others(std::size_t row, Drawing& drawing) {
     }
 }
 
+// The triangles of the surface afterwards that a row tells of.
+std::vector<Polyline> caps_of(std::size_t row, const htl_scene::Scene& scene) {
+  std::vector<Polyline> caps;
+  const htl_scene::Surface& drawn = scene.surfaces[1];
+  const std::vector<std::size_t>& parts = scene.table.parts;
+  if(row >= parts.size() || parts[row] == htl_scene::no_part)
+    return caps;
+  for(std::size_t t = 0; t < drawn.triangle_parts.size(); ++t)
+    if(drawn.triangle_parts[t] == parts[row]) {
+      const auto& [a, b, c] = drawn.triangles[t];
+      caps.push_back({drawn.points[a], drawn.points[b], drawn.points[c]});
+    }
+  return caps;
+}
+
+// Of so many lines those that a view is searched for, which are spread over all.
+std::vector<Polyline> some_of(const std::vector<Polyline>& lines) {
+  constexpr std::size_t many = 200;
+  const std::size_t stride = lines.size() / many + 1;
+  std::vector<Polyline> some;
+  for(std::size_t i = 0; i < lines.size(); i += stride)
+    some.push_back(lines[i]);
+  return some;
+}
+
+// The surface as it was with the loops, and as it is with the caps, if there are any.
+htl_scene::Point best_view_of(const std::vector<Polyline>& loops,
+                              const std::vector<Polyline>& caps,
+                              const htl_scene::Scene& scene) {
+  if(!caps.empty())
+    return best_common_view({{scene.surfaces[0], loops}, {scene.surfaces[1], some_of(caps)}},
+                            scene.up);
+  return best_views(scene.surfaces[0], {loops}, scene.up).front().value_or(scene.view);
+}
+
 // A pair, as it is seen best if no other view was asked for; what cannot be seen from outside is
-// cut free.
+// cut free. Beside it, if it was removed, what is there now.
 std::string closeup_of(const Picture_options& options,
                        const htl_scene::Scene& scene,
-                       const Drawing& drawing,
-                       const htl_picture::Panel& panel,
+                       const std::vector<htl_picture::Panel>& panels,
                        htl_picture::Options picture) {
   const std::size_t row = row_of(*options.closeup, scene);
-  std::vector<std::size_t> lines;
-  std::vector<Polyline> loops;
-  for(std::size_t i = 0; i < drawing.lines.size(); ++i)
-    if(drawing.rows[i] == row) {
-      lines.push_back(i);
-      loops.push_back(drawing.lines[i].points);
-    }
+  std::vector<Polyline> loops, caps;
+  for(const htl_scene::Line& line : scene.lines)
+    if(line.row == row && is_drawn(scene, line, 0))
+      loops.push_back(line.points);
+  if(scene.surfaces.size() > 1)
+    caps = caps_of(row, scene);
   if(!options.is_view_given)
-    if(const auto best = best_views(scene.surfaces[0], {loops}, scene.up).front())
-      picture.view = *best;
-  return htl_picture::encode_closeup(panel, lines, picture);
+    picture.view = best_view_of(loops, caps, scene);
+  std::vector<htl_scene::Point> focus;
+  for(const auto* lines : {&loops, &caps})
+    for(const Polyline& line : *lines)
+      focus.insert(focus.end(), line.begin(), line.end());
+  return htl_picture::encode_closeup(panels, focus, picture);
 }
 
 std::string content_of(const Picture_options& options, const htl_scene::Scene& scene) {
@@ -150,7 +186,8 @@ std::string content_of(const Picture_options& options, const htl_scene::Scene& s
   for(std::size_t i = 0; i < scene.surfaces.size(); ++i)
     drawings.push_back(drawing_of(scene, i, options));
   if(options.closeup)
-    mute_others(row_of(*options.closeup, scene), drawings[0]);
+    for(Drawing& drawing : drawings)
+      mute_others(row_of(*options.closeup, scene), drawing);
   std::vector<htl_picture::Panel> panels;
   for(std::size_t i = 0; i < drawings.size(); ++i) {
     const htl_scene::Surface& surface = scene.surfaces[i];
@@ -161,7 +198,7 @@ std::string content_of(const Picture_options& options, const htl_scene::Scene& s
   picture.surface_opacity =
       options.opacity.value_or(scene.has_bones ? opacity_around_bones_in_pictures
                                                : opacity_before(drawings[0].lines.size()));
-  return options.closeup ? closeup_of(options, scene, drawings[0], panels[0], picture)
+  return options.closeup ? closeup_of(options, scene, panels, picture)
                          : htl_picture::encode_picture(panels, picture);
 }
 

@@ -360,14 +360,24 @@ scene_of(const std::string& title, const std::string& mesh_file, htl_scene::Surf
 // if this is asked for.
 void look(const View& given, htl_scene::Scene& scene) {
   std::vector<std::vector<Polyline>> lines_of_rows(scene.table.rows.size());
-  if(!scene.has_bones)
-    for(const htl_scene::Line& line : scene.lines)
-      if(line.row != htl_scene::no_row && scene.groups[line.group].is_in_pictures)
-        lines_of_rows[line.row].push_back(line.points);
+  for(const htl_scene::Line& line : scene.lines)
+    if(line.row != htl_scene::no_row && scene.groups[line.group].is_in_pictures)
+      lines_of_rows[line.row].push_back(line.points);
   Views views = views_of(given, scene.surfaces[0], lines_of_rows);
   scene.view = views.whole.from;
   scene.up = views.whole.up;
   scene.table.views = std::move(views.of_groups);
+}
+
+// Arcs are inside of what is looked through: no row is seen from outside.
+void look_through(const View& given, htl_scene::Scene& scene) {
+  std::vector<Polyline> arcs;
+  for(const htl_scene::Line& line : scene.lines)
+    if(line.row != htl_scene::no_row)
+      arcs.push_back(line.points);
+  const Whole_view view = view_through(given, scene.surfaces[0], arcs);
+  scene.view = view.from;
+  scene.up = view.up;
 }
 
 // What comes before the name of the file.
@@ -457,7 +467,7 @@ htl_scene::Scene scene_of_reeb_graph(const View& view,
       scene_of_parts("Reeb graph of", mesh_file, arc_surface(mesh, answer), tints_of(mesh, answer));
   scene.paragraphs = lines_of(summary);
   add_arcs(scene, mesh, answer, arcs);
-  look(view, scene);
+  look_through(view, scene);
   return scene;
 }
 
@@ -475,7 +485,7 @@ htl_scene::Scene scene_of_skeleton(const View& view,
     scene.table.empty =
         "The skeleton has no arcs: nothing of the surface is longer than it is thick, "
         "or goes around a hole.";
-  look(view, scene);
+  look_through(view, scene);
   return scene;
 }
 

@@ -12,6 +12,7 @@
 #include "draw/samples.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -44,11 +45,14 @@ public:
     for(const Vector& p : samples)
       for(std::size_t i = 0; i < 3; ++i)
         centre_[i] += p[i] / double(samples.size());
-    for(std::size_t axis = 0; axis < 3; ++axis) {
-      symmetry[axis] = symmetry_of(samples, axis);
-      for(std::size_t s = 0; s < 2; ++s)
-        bases[axis][s] = base_of(axis, s == 0 ? 1. : -1.);
-    }
+    const auto look_along = [&](std::size_t i) { // both ways, and across
+      const std::size_t axis = i % 3, what = i / 3;
+      if(what == 2)
+        symmetry[axis] = symmetry_of(samples, axis);
+      else
+        bases[axis][what] = base_of(axis, what == 0 ? 1. : -1.);
+    };
+    internal::for_each_index(internal::Execution::parallel(), 9, look_along, 1);
     is_machined = part_along_axes(surface.triangles) > 0.2;
     const CGAL::Bbox_3 box = box_of(points_);
     double largest = 0.;

@@ -10,10 +10,13 @@
 #include "draw/view.h"
 
 #include "draw/seen_lines.h"
+#include "draw/spread_lines.h"
 #include "draw/surfaces.h"
 #include "draw/upright.h"
+#include "solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +47,11 @@ Candidate usual_candidate(const Axes& axes) {
   const Vector from = unit(axes.in_space({0.6, 1., 0.5}));
   constexpr double preference = 1.05; // another one has to be clearly better
   return {from, dot(from, axes.up), preference};
+}
+
+// Calls f(i) for all i below n, by all threads. Each takes long.
+template <typename Function> void for_each_number(std::size_t n, const Function& f) {
+  internal::for_each_index(internal::Execution::parallel(), n, f, 1);
 }
 
 // Points that are spread evenly over the sphere, along a spiral; the usual direction comes first.
@@ -142,6 +150,11 @@ std::vector<Group_view> group_views(const Seen_lines::View& view,
   return groups;
 }
 
+// All lines as one group.
+Group_view as_group(const Seen_lines::View& view) {
+  return group_views(view, {view.lines.size()}).front();
+}
+
 // Few directions such that from one of them each group is seen nearly as well as it can be: one
 // after another, that which adds most to what is reached already.
 std::vector<std::size_t> spread(const std::vector<std::vector<double>>& values_by_direction,
@@ -195,9 +208,10 @@ public:
       : seen_(surface, lines)
       , has_lines_(!lines.empty())
       , candidates_(candidates_around(up))
+      , views_(candidates_.size())
       , is_measured_(candidates_.size(), 0) {
-    for(const Candidate& candidate : candidates_)
-      views_.push_back(seen_.estimate(candidate.from));
+    for_each_number(candidates_.size(),
+                    [&](std::size_t d) { views_[d] = seen_.estimate(candidates_[d].from); });
   }
 
   /// from where the lines are seen best; without lines, the surface.
@@ -206,8 +220,7 @@ public:
     std::iota(chosen.begin(), chosen.end(), std::size_t(0));
     if(has_lines_) {
       chosen = promising(candidates_, views_);
-      for(const std::size_t d : chosen)
-        measure(d);
+      measure(chosen);
     }
     double most = 0.;
     for(const std::size_t d : chosen)
@@ -238,7 +251,9 @@ public:
         for(std::size_t g = 0; g < reached.size(); ++g)
           reached[g] = (std::max)(reached[g], values[d][g]);
       }
-    for(const std::size_t d : spread(values, std::move(reached)))
+    const std::vector<std::size_t> chosen = spread(values, std::move(reached));
+    measure(chosen);
+    for(const std::size_t d : chosen)
       look_from(d);
     // What is seen from few directions only may be missed by all of these.
     std::size_t tries = 8;
@@ -252,10 +267,13 @@ public:
   }
 
 private:
-  void measure(std::size_t d) {
-    if(is_measured_[d] == 0)
-      views_[d] = seen_.measure(candidates_[d].from);
-    is_measured_[d] = 1;
+  void measure(const std::vector<std::size_t>& directions) {
+    for_each_number(directions.size(), [&](std::size_t i) {
+      const std::size_t d = directions[i];
+      if(is_measured_[d] == 0)
+        views_[d] = seen_.measure(candidates_[d].from);
+      is_measured_[d] = 1;
+    });
   }
 
   std::vector<std::vector<double>> values_of_groups() const {
@@ -267,7 +285,7 @@ private:
   }
 
   void look_from(std::size_t d) {
-    measure(d);
+    measure({d});
     const std::vector<Group_view> views = group_views(views_[d], lines_in_group_);
     for(std::size_t g = 0; g < views.size(); ++g)
       if(const double value = candidates_[d].weight * value_of(views[g]);
@@ -288,6 +306,31 @@ private:
   std::vector<double> largest_;
 };
 
+/*
+From where lines inside a surface are seen best, if it is looked through: they cover much of the
+picture, which they do where they are long in it, and few of them before others. A surface that is
+seen from its broad side tells more of its shape, and does so without any lines.
+*/
+Vector direction_to_spread(const htl_scene::Surface& surface,
+                           const std::vector<Polyline>& lines,
+                           const Vector& up) {
+  const Spread_lines spread(surface, lines);
+  const std::vector<Candidate> candidates = candidates_around(up);
+  std::vector<Spread_lines::View> views(candidates.size());
+  for_each_number(candidates.size(),
+                  [&](std::size_t d) { views[d] = spread.look_from(candidates[d].from); });
+  Spread_lines::View most = {1e-12, 1e-12};
+  for(const Spread_lines::View& view : views) {
+    most.lines = (std::max)(most.lines, view.lines);
+    most.surface = (std::max)(most.surface, view.surface);
+  }
+  std::vector<double> values;
+  for(std::size_t d = 0; d < candidates.size(); ++d)
+    values.push_back(candidates[d].weight *
+                     (views[d].lines / most.lines + 0.5 * views[d].surface / most.surface));
+  return candidates[by_value(values).front()].from;
+}
+
 Vector upright(const View& given, const htl_scene::Surface& surface) {
   return given.up.empty() ? upright_direction(surface)
                           : Vector{given.up[0], given.up[1], given.up[2]};
@@ -295,7 +338,18 @@ Vector upright(const View& given, const htl_scene::Surface& surface) {
 
 } // namespace
 
+Whole_view view_through(const View& given,
+                        const htl_scene::Surface& surface,
+                        const std::vector<Polyline>& lines) {
+  if(surface.triangles.empty() || !given.from.empty())
+    return whole_view(given, surface);
+  const Thread_limit limit(given.number_of_threads);
+  const Vector up = upright(given, surface);
+  return {direction_to_spread(surface, lines, unit(up)), up};
+}
+
 Whole_view whole_view(const View& given, const htl_scene::Surface& surface) {
+  const Thread_limit limit(given.number_of_threads);
   Whole_view view = {{}, upright(given, surface)};
   if(!given.from.empty())
     view.from = {given.from[0], given.from[1], given.from[2]};
@@ -318,6 +372,7 @@ Views views_of(const View& given,
   }
   if(surface.triangles.empty() || all.chosen.empty())
     return {whole_view(all, surface), std::vector<std::optional<Vector>>(groups.size())};
+  const Thread_limit limit(given.number_of_threads);
   const Vector up = upright(given, surface);
   View_search search(surface, all.chosen, unit(up));
   const Vector from = given.from.empty() ? search.best_direction()
@@ -330,8 +385,32 @@ Views views_of(const View& given,
 std::vector<std::optional<Vector>> best_views(const htl_scene::Surface& surface,
                                               const std::vector<std::vector<Polyline>>& groups,
                                               const Vector& up) {
-  const View given = {{1., 0., 0.}, {up[0], up[1], up[2]}, {}, true}; // the whole is of no interest
+  View given;
+  given.from = {1., 0., 0.}; // the whole is of no interest
+  given.up = {up[0], up[1], up[2]};
   return views_of(given, surface, groups).of_groups;
+}
+
+Vector best_common_view(const std::vector<Lines_on_surface>& seen, const Vector& up) {
+  std::vector<Seen_lines> searched;
+  for(const Lines_on_surface& on_surface : seen)
+    searched.emplace_back(on_surface.surface, on_surface.lines);
+  using Look = Seen_lines::View (Seen_lines::*)(const Vector&) const;
+  const auto values = [&](const std::vector<Candidate>& candidates, Look look) {
+    std::vector<double> sums(candidates.size(), 0.);
+    for_each_number(candidates.size(), [&](std::size_t i) {
+      for(const Seen_lines& lines : searched)
+        sums[i] += candidates[i].weight * value_of(as_group((lines.*look)(candidates[i].from)));
+    });
+    return sums;
+  };
+  const std::vector<Candidate> all = candidates_around(unit(up));
+  const std::vector<std::size_t> order = by_value(values(all, &Seen_lines::estimate));
+  constexpr std::size_t promising = 8;
+  std::vector<Candidate> best;
+  for(std::size_t i = 0; i < promising; ++i)
+    best.push_back(all[order[i]]);
+  return best[by_value(values(best, &Seen_lines::measure)).front()].from;
 }
 
 } // namespace htloops

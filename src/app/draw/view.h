@@ -27,6 +27,7 @@ struct View
   std::vector<double> up;       ///< the direction that is upright
   std::vector<Polyline> chosen; ///< closed lines that are to be seen
   bool is_for_rows = true;      ///< scenes tell from where those of each row are seen, too
+  int number_of_threads = 0;    ///< that search; 0: as many as there are
 };
 
 /// A view without defaults.
@@ -40,6 +41,12 @@ struct Whole_view
 /// all, and much of the surface. That is found by samples, and for the best directions with all
 /// triangles: the time is linear in the size of the mesh.
 Whole_view whole_view(const View& given, const htl_scene::Surface& surface);
+
+/// the same of lines inside a surface that is looked through, closed or not, of which none are
+/// chosen: they are spread over the picture, with few before others, and so is the surface.
+Whole_view view_through(const View& given,
+                        const htl_scene::Surface& surface,
+                        const std::vector<Polyline>& lines);
 
 /// How a surface is seen with all of its lines, and with those of each group: `whole_view()` and
 /// `best_views()`, together in less time.
@@ -59,6 +66,18 @@ std::vector<std::optional<std::array<double, 3>>>
 best_views(const htl_scene::Surface& surface,
            const std::vector<std::vector<Polyline>>& groups,
            const std::array<double, 3>& up);
+
+/// Closed lines on a surface.
+struct Lines_on_surface
+{
+  const htl_scene::Surface& surface;
+  std::vector<Polyline> lines;
+};
+
+/// the direction from which most of the lines on some surfaces is seen, each of which is looked at
+/// without the others and counts as much. In linear time.
+std::array<double, 3> best_common_view(const std::vector<Lines_on_surface>& seen,
+                                       const std::array<double, 3>& up);
 
 } // namespace htloops
 

@@ -15,6 +15,7 @@
 #include "app/read/mesh_list.h"
 #include "app/read/meshes/mesh_formats.h"
 #include "app/read/sources.h"
+#include "app/solve/progress.h"
 #include "app/system/files.h"
 #include "app/write/files.h"
 #include "app/write/mesh_writer.h"
@@ -321,6 +322,7 @@ Choice command_to_remove(const Mesh_options& options, const std::string& choice)
 View view_of(const Common_options& options) {
   View view = options.view;
   view.is_for_rows = !options.page_file.empty();
+  view.number_of_threads = options.number_of_threads;
   return view;
 }
 
@@ -329,6 +331,7 @@ bool is_looked_at(const Common_options& options) {
 }
 
 void show_scene(const Common_options& options, htl_scene::Scene scene, Unit unit) {
+  const Thread_limit limit(options.number_of_threads);
   if(unit != Unit::NONE)
     scene.unit = words_of(unit).sign;
   if(!options.picture.file.empty()) {
@@ -410,10 +413,9 @@ void add_picture_options(CLI::App& command,
 void add_closeup_option(CLI::App& command, Common_options& options) {
   if(has_pictures)
     command
-        .add_option(
-            "--closeup", options.picture.closeup,
-            "with --picture: one pair large, with what is before it cut away, and where it\n"
-            "is")
+        .add_option("--closeup", options.picture.closeup,
+                    "with --picture: one pair large, with what is before it cut away, and where\n"
+                    "it is")
         ->option_text("PAIR")
         ->check(why_no_count)
         ->needs("--picture");
@@ -432,7 +434,7 @@ void add_gltf_option(CLI::App& command, Common_options& options, const std::stri
 void add_view_options(CLI::App& command, Common_options& options) {
   add_numbers(command, "--view", "X,Y,Z", options.view.from, 3,
               "direction that is looked from; default: where most of the loops is seen, the small\n"
-              "ones above all");
+              "ones above all, or arcs are spread out");
   add_numbers(command, "--up", "X,Y,Z", options.view.up, 3,
               "direction that is upright; default: z, or another axis on which it stands");
 }

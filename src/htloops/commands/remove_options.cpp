@@ -156,6 +156,7 @@ void add_output_options(CLI::App& command, Remove_options& options) {
   add_output(command, "--csv", "FILE.csv", options.csv_file,
              "a row of numbers for each handle, and what was done to it");
   add_picture_options(command, options, "the loops of what is removed");
+  add_closeup_option(command, options);
   add_page_option(command, options, "the mesh before and after");
   add_gltf_option(command, options, "the loops of what is removed");
   add_view_options(command, options);

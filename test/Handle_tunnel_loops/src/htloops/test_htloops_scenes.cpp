@@ -7,13 +7,16 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/draw/pictures.h"
 #include "app/draw/scenes.h"
+#include "app/failure.h"
 #include "app/solve/details.h"
 #include "app/solve/reeb_solver.h"
 #include "app/solve/removal_solver.h"
 #include "app/solve/skeleton_solver.h"
 
 #include "Meshes_of_soups.h"
+#include "Temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -143,6 +147,34 @@ TEST_P(Removal, KeepsLoopsWhereTheyAre) {
   EXPECT_GE(gone, 2 * removal.report.removed.size());
   for(const htl_scene::Line& line : scene.lines)
     EXPECT_TRUE(line.surface == 0 || line.row >= removal.report.removed.size());
+}
+
+TEST_P(Removal, IsDrawnLargeBeforeAndAfter) {
+  if(!htloops::has_pictures)
+    GTEST_SKIP() << "no pictures here";
+  const Scene scene = scene_of(removed({}));
+  const Temporary_folder folder;
+  htloops::Picture_options options;
+  options.size = {300., 100.};
+  const auto content = [&](std::optional<std::size_t> pair) {
+    options.file = folder.path("a.png");
+    options.closeup = pair;
+    export_picture(options, scene);
+    return folder.read("a.png");
+  };
+  const std::string whole = content({}), first = content(scene.table.numbers[0]),
+                    second = content(scene.table.numbers[1]);
+  for(const std::string& picture : {whole, first, second})
+    EXPECT_EQ(picture.substr(16, 8), std::string("\0\0\1\54\0\0\0\144", 8)) << "300 x 100";
+  EXPECT_NE(whole, first);
+  EXPECT_NE(first, second);
+  try {
+    content(12345);
+    FAIL() << "there is no such pair";
+  } catch(const htloops::Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("--closeup 12345: there is no such pair"),
+              std::string::npos);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes,

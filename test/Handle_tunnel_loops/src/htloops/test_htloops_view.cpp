@@ -29,6 +29,7 @@
 
 namespace test_htloops_view {
 
+using htloops::best_common_view;
 using htloops::best_views;
 using htloops::Polyline;
 using htloops::unit;
@@ -272,13 +273,20 @@ TEST(Upright, is_z_of_what_has_no_points) {
   EXPECT_EQ(upright_direction({"", {{1., 2., 3.}}, {{0, 0, 0}}, {}, {}}), (Vector{0., 0., 1.}));
 }
 
+// A box of these extents.
+htl_scene::Surface box(const Vector& extents) {
+  htl_scene::Surface surface;
+  for(int i = 0; i < 8; ++i)
+    surface.points.push_back(
+        {extents[0] * (i & 1), extents[1] * ((i >> 1) & 1), extents[2] * ((i >> 2) & 1)});
+  surface.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return surface;
+}
+
 TEST(View_of_a_plate, shows_a_loop_on_its_lower_side_from_below) {
   // A plate of thickness 1e-4, with a loop on its lower side.
-  htl_scene::Surface plate;
-  for(int i = 0; i < 8; ++i)
-    plate.points.push_back({double(i & 1), double((i >> 1) & 1), 1e-4 * ((i >> 2) & 1)});
-  plate.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const htl_scene::Surface plate = box({1., 1., 1e-4});
   const Polyline below = {{0.3, 0.3, 0.}, {0.6, 0.35, 0.}, {0.5, 0.7, 0.}};
   htloops::View view;
   view.up = {0., 0., 1.};
@@ -288,6 +296,69 @@ TEST(View_of_a_plate, shows_a_loop_on_its_lower_side_from_below) {
       best_views(plate, {{below}, {{{0.5, 0.5, 0.5e-4}, {0.6, 0.5, 0.5e-4}}}}, {0., 0., 1.});
   ASSERT_TRUE(found[0]);
   EXPECT_LT((*found[0])[2], 0.);
+}
+
+// A cross in a plate, in each plane of two axes.
+TEST(View_through, looks_at_the_broad_side_of_what_is_flat) {
+  for(const std::size_t axis : {0, 1, 2}) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Vector extents = {3., 3., 3.};
+    extents[axis] = 0.3;
+    const Vector middle = {extents[0] / 2., extents[1] / 2., extents[2] / 2.};
+    Vector left = middle, right = middle, low = middle, high = middle;
+    left[u] = low[v] = 0.1;
+    right[u] = high[v] = 2.9;
+    htloops::View given;
+    given.up = {0., 0., 1.};
+    const Vector from = unit(view_through(given, box(extents), {{left, right}, {low, high}}).from);
+    EXPECT_GT(std::abs(from[axis]), axis == 2 ? 0.6 : 0.75) << axis;
+  }
+}
+
+// Two rods beside each other: along x all else is alike.
+TEST(View_through, has_no_line_before_another) {
+  const htl_scene::Surface cube = box({2., 2., 2.});
+  const std::vector<Polyline> rods = {{{0.5, 1., 0.2}, {0.5, 1., 1.8}},
+                                      {{1.5, 1., 0.2}, {1.5, 1., 1.8}}};
+  htloops::View given;
+  given.up = {0., 0., 1.};
+  const Vector from = unit(view_through(given, cube, rods).from);
+  EXPECT_LT(std::abs(from[0]), 0.95);
+  EXPECT_LT(std::abs(from[2]), 0.8) << "where they are short";
+}
+
+TEST(View_through, is_the_one_that_was_given) {
+  htloops::View given;
+  given.from = {1., 2., 3.};
+  given.up = {0., 1., 0.};
+  const auto view = view_through(given, box({1., 2., 3.}), {});
+  EXPECT_EQ(view.from, (Vector{1., 2., 3.}));
+  EXPECT_EQ(view.up, (Vector{0., 1., 0.}));
+  EXPECT_NE(htloops::view_through({}, {}, {}).from, Vector{}) << "of nothing";
+}
+
+// A mark on one side of a cube, and one on the next side of another cube.
+TEST(Common_view, shows_what_is_on_each_surface) {
+  const htl_scene::Surface cube = box({1., 1., 1.});
+  const Polyline on_x = {{1., 0.4, 0.4}, {1., 0.6, 0.4}, {1., 0.5, 0.6}},
+                 below_y = {{0.4, 0., 0.4}, {0.6, 0., 0.4}, {0.5, 0., 0.6}};
+  const Vector from = best_common_view({{cube, {on_x}}, {cube, {below_y}}}, {0., 0., 1.});
+  EXPECT_GT(from[0], 0.1);
+  EXPECT_LT(from[1], -0.1);
+}
+
+TEST(Views, do_not_depend_on_the_number_of_threads) {
+  const Looked_at shown({"gyroid", {6000, 10, 2}});
+  htloops::View given;
+  given.number_of_threads = 1;
+  const htloops::Views one = views_of(given, shown.surface, shown.loops_of_pairs);
+  const auto through_by_one = view_through(given, shown.surface, shown.loops);
+  given.number_of_threads = 4;
+  const htloops::Views four = views_of(given, shown.surface, shown.loops_of_pairs);
+  EXPECT_EQ(one.whole.from, four.whole.from);
+  EXPECT_EQ(one.whole.up, four.whole.up);
+  EXPECT_EQ(one.of_groups, four.of_groups);
+  EXPECT_EQ(through_by_one.from, view_through(given, shown.surface, shown.loops).from);
 }
 
 } // namespace test_htloops_view

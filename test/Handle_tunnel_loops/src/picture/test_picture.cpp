@@ -411,8 +411,8 @@ TEST_F(Drawn_picture, DrawsALineLargeAndCutsAwayWhatIsBeforeIt) {
   options.surface_opacity = 1.;
   const std::vector<Line> lines = {small_loop({0.5, 1., 0.5}, 0.02)}; // on the far side
   EXPECT_EQ(draw(mesh, lines).count(is_red), 0);
-  const Picture picture =
-      decoded(htl_picture::encode_closeup({mesh.points, mesh.triangles, {}, lines}, {0}, options));
+  const Picture picture = decoded(htl_picture::encode_closeup(
+      {{mesh.points, mesh.triangles, {}, lines}}, lines[0].points, options));
   int reds = 0, left = 640, right = 0;
   for(int y = 0; y < 480; ++y)
     for(int x = 0; x < 460; ++x) // the small picture of all is on the right
@@ -430,6 +430,33 @@ TEST_F(Drawn_picture, DrawsALineLargeAndCutsAwayWhatIsBeforeIt) {
       covered += is_white(picture.at(x, y));
   EXPECT_GT(covered, 500);
   EXPECT_LT(covered, 15000);
+}
+
+// The second surface has no line, but a red side at the same place.
+TEST_F(Drawn_picture, ShowsTheSamePlaceOfSeveralSurfacesLarge) {
+  const Mesh mesh = cube();
+  options.width = 640;
+  options.height = 240;
+  options.surface_opacity = 1.;
+  const std::vector<Line> lines = {small_loop({0.5, 1., 0.5}, 0.02)}, none;
+  std::vector<Colour> colours(mesh.triangles.size(), Colour{0, 0, 255});
+  for(std::size_t t = 0; t < colours.size(); ++t)
+    if(std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
+                   [&](std::uint32_t v) { return mesh.points[v][1] == 1.; }))
+      colours[t] = {255, 0, 0};
+  const Picture picture = decoded(htl_picture::encode_closeup(
+      {{mesh.points, mesh.triangles, {}, lines}, {mesh.points, mesh.triangles, colours, none}},
+      lines[0].points, options));
+  EXPECT_EQ(picture.width, 640);
+  int of_line = 0, of_side = 0;
+  for(int y = 0; y < 160; ++y) // above the small picture of all
+    for(int x = 0; x < 320; ++x) {
+      of_line += is_red(picture.at(x, y));
+      of_side += is_reddish(picture.at(320 + x, y));
+    }
+  EXPECT_GT(of_line, 100);
+  EXPECT_LT(of_line, 320 * 160 / 2);
+  EXPECT_EQ(of_side, 320 * 160) << "all that is seen there";
 }
 
 // Whenever that is: each look is the last one in its turn.
