@@ -37,6 +37,38 @@ void add_part(const Triangle& triangle, const std::array<double, 3>& above, Rest
     rest.triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
+// Adds the parts of a line that are below.
+template <typename Above> void add_parts(const Line& line, const Above& above, Rest& rest) {
+  const std::size_t size = line.points.size();
+  Line part = line;
+  part.closed = false;
+  part.points.clear();
+  const auto end_part = [&] {
+    if(part.points.size() > 1)
+      rest.lines.push_back(part);
+    part.points.clear();
+  };
+  // A closed line is gone around from a point that is not left.
+  std::size_t first = 0;
+  while(line.closed && above(line.points[first]) <= 0.)
+    ++first;
+  for(std::size_t k = 0; k < size + (line.closed ? 1 : 0); ++k) {
+    const Point& p = line.points[(first + k) % size];
+    const double height = above(p);
+    if(k > 0) {
+      const Point& before = line.points[(first + k - 1) % size];
+      const double height_before = above(before);
+      if((height > 0.) != (height_before > 0.))
+        part.points.push_back(between(before, p, height_before / (height_before - height)));
+    }
+    if(height <= 0.)
+      part.points.push_back(p);
+    else
+      end_part();
+  }
+  end_part();
+}
+
 } // namespace
 
 Rest rest_below(float height,
@@ -61,6 +93,8 @@ Rest rest_below(float height,
     if(std::none_of(line.points.begin(), line.points.end(),
                     [&](const Point& p) { return above(p) > 0.; }))
       rest.lines.push_back(line);
+    else if(line.radii.empty())
+      add_parts(line, above, rest);
   return rest;
 }
 

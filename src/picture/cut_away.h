@@ -26,8 +26,8 @@ struct Rest
   std::vector<Line> lines;
 };
 
-/// what is not nearer to the eye than a height in the camera's frame; of lines, those no point of
-/// which is.
+/// what is not nearer to the eye than a height in the camera's frame; of lines that have radii,
+/// those no point of which is.
 Rest rest_below(float height,
                 const Camera& camera,
                 const std::vector<Point>& points,

@@ -182,19 +182,17 @@ std::string encode_picture(const std::vector<Point>& points,
   return encode_picture({{points, triangles, triangle_colours, lines}}, options);
 }
 
-std::string encode_closeup(const std::vector<Panel>& panels,
-                           const std::vector<Point>& focus,
-                           const Options& options) {
+std::string
+encode_closeup(const std::vector<Panel>& panels, const Focus& focus, const Options& options) {
   check(panels, options);
   const int width = width_of_panel(panels, options);
   constexpr double part = 0.55; // of the picture: what is around it is seen, too
-  const Camera camera = camera_for({&focus}, options, width, options.height, part);
+  const Camera camera = camera_for({&focus.points}, options, width, options.height, part);
   float nearest = -1.f;
-  for(const Point& point : focus)
+  for(const Point& point : focus.points)
     nearest = (std::max)(nearest, camera.in_frame(point).z);
-  constexpr float room = 0.12f; // in front of it
   return encode_side_by_side(panels, options, [&](const Panel& panel, bool is_first) {
-    const Rest rest = rest_below(nearest + room, camera, panel.points, panel.triangles,
+    const Rest rest = rest_below(nearest + float(focus.room), camera, panel.points, panel.triangles,
                                  panel.triangle_colours, panel.lines);
     const Subject subject = {rest.points, rest.triangles, rest.triangle_colours, rest.lines, true};
     Painter painter(subject, camera, options, width, options.height);
@@ -202,7 +200,7 @@ std::string encode_closeup(const std::vector<Panel>& panels,
     annotate({rest.lines, camera, painter.lines(), width, options.height}, options,
              {is_first, panel.caption}, pixels);
     if(is_first)
-      paste_overview(panel, focus, options, width, pixels);
+      paste_overview(panel, focus.points, options, width, pixels);
     return pixels;
   });
 }

@@ -95,10 +95,17 @@ std::string encode_picture(const std::vector<Point>& points,
                            const std::vector<Line>& lines,
                            const Options& options = Options());
 
-/// of what is around some points, large. What is nearer to the eye is cut away, and a small picture
-/// in a corner tells where on the first surface they are.
+/// What is drawn large.
+struct Focus
+{
+  std::vector<Point> points;
+  double room = 0.12; ///< in front of these, as a part of how far they reach
+};
+
+/// of what is around some points. What is nearer to the eye is cut away, and a small picture in a
+/// corner tells where on the first surface they are.
 std::string encode_closeup(const std::vector<Panel>& panels,
-                           const std::vector<Point>& focus,
+                           const Focus& focus,
                            const Options& options = Options());
 
 } // namespace htl_picture

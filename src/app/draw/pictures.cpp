@@ -11,6 +11,8 @@
 
 #ifdef HTLOOPS_HAS_PICTURE
 
+#include "draw/samples.h"
+#include "draw/surfaces.h"
 #include "draw/view.h"
 #include "failure.h"
 #include "file_names.h"
@@ -149,14 +151,50 @@ std::vector<Polyline> some_of(const std::vector<Polyline>& lines) {
   return some;
 }
 
-// The surface as it was with the loops, and as it is with the caps, if there are any.
-htl_scene::Point best_view_of(const std::vector<Polyline>& loops,
-                              const std::vector<Polyline>& caps,
-                              const htl_scene::Scene& scene) {
-  if(!caps.empty())
-    return best_common_view({{scene.surfaces[0], loops}, {scene.surfaces[1], some_of(caps)}},
-                            scene.up);
-  return best_views(scene.surfaces[0], {loops}, scene.up).front().value_or(scene.view);
+// From where a pair is seen, and what is not to be cut away.
+struct Look
+{
+  htl_scene::Point from;
+  htl_picture::Focus focus;
+};
+
+/*
+Where a handle was cut, its caps face each other, and none is seen from outside: the one with the
+largest triangle is looked at straight, with all before it cut away.
+*/
+Look look_into_cut(const std::vector<Polyline>& caps) {
+  std::vector<Vector> corners;
+  for(const Polyline& cap : caps)
+    corners.insert(corners.end(), cap.begin(), cap.end());
+  const Ball_around ball(corners);
+  const auto normal = [&](const Polyline& t) {
+    return normal_of(ball(t[0]), ball(t[1]), ball(t[2]));
+  };
+  const Polyline& largest =
+      *std::max_element(caps.begin(), caps.end(), [&](const Polyline& s, const Polyline& t) {
+        return norm(normal(s)) < norm(normal(t));
+      });
+  const Vector towards = unit(normal(largest));
+  Look look = {{0., 0., 0.}, {{}, 0.}};
+  for(const Polyline& cap : caps)
+    if(const Vector n = normal(cap); dot(n, towards) > 0.) {
+      for(std::size_t i = 0; i < 3; ++i)
+        look.from[i] += n[i];
+      look.focus.points.insert(look.focus.points.end(), cap.begin(), cap.end());
+    }
+  return look;
+}
+
+// A pair as it was, and the caps that are there instead, if there are any.
+Look best_look_at(const std::vector<Polyline>& loops,
+                  const std::vector<Polyline>& caps,
+                  const htl_scene::Scene& scene) {
+  if(caps.empty())
+    return {best_views(scene.surfaces[0], {loops}, scene.up).front().value_or(scene.view), {}};
+  const std::vector<Polyline> some = some_of(caps);
+  if(!best_views(scene.surfaces[1], {some}, scene.up).front())
+    return look_into_cut(caps);
+  return {best_common_view({{scene.surfaces[0], loops}, {scene.surfaces[1], some}}, scene.up), {}};
 }
 
 // A pair, as it is seen best if no other view was asked for; what cannot be seen from outside is
@@ -172,13 +210,15 @@ std::string closeup_of(const Picture_options& options,
       loops.push_back(line.points);
   if(scene.surfaces.size() > 1)
     caps = caps_of(row, scene);
+  Look look = {scene.view, {}};
   if(!options.is_view_given)
-    picture.view = best_view_of(loops, caps, scene);
-  std::vector<htl_scene::Point> focus;
-  for(const auto* lines : {&loops, &caps})
-    for(const Polyline& line : *lines)
-      focus.insert(focus.end(), line.begin(), line.end());
-  return htl_picture::encode_closeup(panels, focus, picture);
+    look = best_look_at(loops, caps, scene);
+  picture.view = look.from;
+  if(look.focus.points.empty())
+    for(const auto* lines : {&loops, &caps})
+      for(const Polyline& line : *lines)
+        look.focus.points.insert(look.focus.points.end(), line.begin(), line.end());
+  return htl_picture::encode_closeup(panels, look.focus, picture);
 }
 
 std::string content_of(const Picture_options& options, const htl_scene::Scene& scene) {

@@ -412,7 +412,7 @@ TEST_F(Drawn_picture, DrawsALineLargeAndCutsAwayWhatIsBeforeIt) {
   const std::vector<Line> lines = {small_loop({0.5, 1., 0.5}, 0.02)}; // on the far side
   EXPECT_EQ(draw(mesh, lines).count(is_red), 0);
   const Picture picture = decoded(htl_picture::encode_closeup(
-      {{mesh.points, mesh.triangles, {}, lines}}, lines[0].points, options));
+      {{mesh.points, mesh.triangles, {}, lines}}, {lines[0].points}, options));
   int reds = 0, left = 640, right = 0;
   for(int y = 0; y < 480; ++y)
     for(int x = 0; x < 460; ++x) // the small picture of all is on the right
@@ -446,7 +446,7 @@ TEST_F(Drawn_picture, ShowsTheSamePlaceOfSeveralSurfacesLarge) {
       colours[t] = {255, 0, 0};
   const Picture picture = decoded(htl_picture::encode_closeup(
       {{mesh.points, mesh.triangles, {}, lines}, {mesh.points, mesh.triangles, colours, none}},
-      lines[0].points, options));
+      {lines[0].points}, options));
   EXPECT_EQ(picture.width, 640);
   int of_line = 0, of_side = 0;
   for(int y = 0; y < 160; ++y) // above the small picture of all
@@ -457,6 +457,27 @@ TEST_F(Drawn_picture, ShowsTheSamePlaceOfSeveralSurfacesLarge) {
   EXPECT_GT(of_line, 100);
   EXPECT_LT(of_line, 320 * 160 / 2);
   EXPECT_EQ(of_side, 320 * 160) << "all that is seen there";
+}
+
+// One that goes far to the front, and comes back.
+TEST_F(Drawn_picture, DrawsThePartsOfALineThatAreNotCutAway) {
+  const Mesh mesh = cube();
+  options.width = 320;
+  options.height = 240;
+  options.surface_opacity = 1.;
+  const Line loop = small_loop({0.5, 1., 0.5}, 0.02);
+  const std::vector<Line> lines = {
+      loop, {{{0.5, -1., 0.9}, {0.49, 0.99, 0.5}, {0.51, 0.99, 0.5}}, {255, 0, 0}, true}};
+  std::vector<Line> quiet = lines;
+  quiet[0].colour = {0, 0, 255};
+  const auto reds = [&](const std::vector<Line>& drawn) {
+    return decoded(htl_picture::encode_closeup({{mesh.points, mesh.triangles, {}, drawn}},
+                                               {loop.points}, options))
+        .count(is_red);
+  };
+  EXPECT_GT(reds(quiet), 100);
+  quiet.pop_back();
+  EXPECT_EQ(reds(quiet), 0);
 }
 
 // Whenever that is: each look is the last one in its turn.
