@@ -144,6 +144,33 @@ Vector_3 Painter::sample(int x, int y, float open, float edge) {
   return opacity * surface + (1.f - opacity) * line_colour(behind);
 }
 
+// How much the inverse of the depth of a triangle's plane changes along a way in the picture.
+float Painter::slope(std::uint32_t triangle, int dx, int dy) const {
+  const auto& [i, j, k] = subject_.triangles[triangle];
+  const Projected_point &a = projected_[i], &b = projected_[j], &c = projected_[k];
+  const double bx = double(b.x) - a.x, by = double(b.y) - a.y, cx = double(c.x) - a.x,
+               cy = double(c.y) - a.y, whole = bx * cy - cx * by;
+  if(whole == 0.)
+    return 0.f;
+  const double of_b = double(b.inverse_depth) - a.inverse_depth,
+               of_c = double(c.inverse_depth) - a.inverse_depth;
+  return float(((of_b * cy - of_c * by) * dx + (of_c * bx - of_b * cx) * dy) / whole);
+}
+
+// How far what is seen at two samples is apart in depth. The planes of triangles that share an edge
+// meet between the samples, however steep they are: that is a crease, and no step.
+float Painter::step_between(int x0, int y0, int x1, int y1) const {
+  const std::uint32_t triangle0 = surface_.triangle(x0, y0), triangle1 = surface_.triangle(x1, y1);
+  if(triangle0 == triangle1)
+    return 0.f;
+  const float between = surface_.inverse_depth(x0, y0) - surface_.inverse_depth(x1, y1);
+  if(triangle0 == Surface_layer::no_triangle || triangle1 == Surface_layer::no_triangle)
+    return std::abs(between);
+  const float at0 = between + slope(triangle1, x1 - x0, y1 - y0),
+              at1 = between + slope(triangle0, x1 - x0, y1 - y0);
+  return at0 * at1 > 0.f ? (std::min)(std::abs(at0), std::abs(at1)) : 0.f;
+}
+
 // How much a sample is on the edge of what is nearer than what is beside it, 0 to 1. The inverse of
 // the depth is linear on a plane: there it is the mean of those on both sides.
 float Painter::edge_at(int x, int y) const {
@@ -151,17 +178,20 @@ float Painter::edge_at(int x, int y) const {
   if(!(here > 0.f))
     return 0.f;
   constexpr float least = 0.012f, clear = 0.035f; // steps, in the unit of the frame
-  float step = 0.f;
+  float step = 0.f;                               // of the inverse
   const auto look_along = [&](int dx, int dy) {
     const int x0 = x - dx, y0 = y - dy, x1 = x + dx, y1 = y + dy;
     if(x0 < 0 || y0 < 0 || x1 >= surface_.width() || y1 >= surface_.height())
       return;
-    const float bend = 2.f * here - surface_.inverse_depth(x0, y0) - surface_.inverse_depth(x1, y1);
-    step = (std::max)(step, std::abs(bend) / (here * here));
+    const float bend =
+        std::abs(2.f * here - surface_.inverse_depth(x0, y0) - surface_.inverse_depth(x1, y1));
+    if(bend > (std::max)(step, least * here * here))
+      step = (std::max)(step, (std::min)(bend, (std::max)(step_between(x, y, x0, y0),
+                                                          step_between(x, y, x1, y1))));
   };
   look_along(reach_of_edges_, 0);
   look_along(0, reach_of_edges_);
-  return std::clamp((step - least) / (clear - least), 0.f, 1.f);
+  return std::clamp((step / (here * here) - least) / (clear - least), 0.f, 1.f);
 }
 
 float Painter::edge_of_pixel(int x, int y) const {

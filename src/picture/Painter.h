@@ -64,6 +64,8 @@ private:
   Vector_3 pixel(int x, int y, float open, float edge);
   bool is_of_one_triangle(int x, int y) const;
   Vector_3 sample(int x, int y, float open, float edge);
+  float slope(std::uint32_t triangle, int dx, int dy) const;
+  float step_between(int x0, int y0, int x1, int y1) const;
   float edge_at(int x, int y) const;
   float edge_of_pixel(int x, int y) const;
   Vector_3 line_colour(const Line_layer::Sample& sample) const;
