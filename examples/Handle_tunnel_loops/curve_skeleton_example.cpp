@@ -16,7 +16,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Skeleton = CGAL::Curve_skeleton<Mesh>;
 
-// Is told the points along each arc in turn.
+// Receives the points along each arc, one after the other.
 struct Print_arcs
 {
   const Skeleton& skeleton;

@@ -1,4 +1,4 @@
-// Cuts a part with five holes open and spreads it out in the plane.
+// Cuts open a part with five holes and unfolds it into the plane.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,7 +35,7 @@ int main(int argc, char* argv[]) {
   std::vector<Mesh::Edge_index> cut;
   CGAL::cut_to_disk(mesh, std::back_inserter(cut));
 
-  // The same mesh, with a vertex for each side of the cut.
+  // The same mesh, with one vertex for each side of the cut.
   Seam_mesh disk(mesh, mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first,
                  mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam", false).first);
   CGAL::add_seams_of_cut(disk, cut);

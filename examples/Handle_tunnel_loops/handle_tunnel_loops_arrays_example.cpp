@@ -1,4 +1,4 @@
-// Finds the loops of a torus that is an array of points and an array of triangles.
+// Finds the loops of a torus given as an array of points and an array of triangles.
 
 #include <CGAL/Handle_tunnel_loops/Triangle_arrays.h>
 #include <CGAL/Simple_cartesian.h>

@@ -24,7 +24,7 @@ int main(int argc, char* argv[]) {
   std::vector<CGAL::Handle_tunnel_pair<Mesh>> pairs;
   CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs));
 
-  // The certificate is the same for loops from anywhere else.
+  // Loops from any other source can be certified in the same way.
   const auto certificate = CGAL::certify_handle_tunnel_loops(mesh, pairs);
   if(!certificate) {
     std::cerr << certificate.failure << std::endl;

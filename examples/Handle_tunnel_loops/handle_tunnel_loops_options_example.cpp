@@ -16,7 +16,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace HTL = CGAL::Handle_tunnel_loops;
 namespace params = CGAL::parameters;
 
-// Is told when a stage begins and ends.
+// Receives the begin and the end of each stage.
 struct Stage_printer : HTL::Default_visitor
 {
   void start_stage(HTL::Stage stage) const { std::cout << HTL::stage_name(stage) << std::endl; }
@@ -31,7 +31,7 @@ int main(int argc, char* argv[]) {
     return EXIT_FAILURE;
   }
 
-  // Grow from the lowest vertex instead of the first one.
+  // Starts the front at the lowest vertex instead of the first one.
   const auto lowest =
       std::min_element(mesh.vertices_begin(), mesh.vertices_end(),
                        [&mesh](auto v, auto w) { return mesh.point(v).z() < mesh.point(w).z(); });

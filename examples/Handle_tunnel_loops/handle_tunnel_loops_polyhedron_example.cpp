@@ -26,7 +26,7 @@ int main(int argc, char* argv[]) {
   std::vector<Pair> pairs;
   CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs));
 
-  // A loop lives on the mesh: each step is a halfedge and a ratio along it.
+  // Each step of a loop is a halfedge and a ratio along it.
   for(const Pair& pair : pairs) {
     std::cout << "tunnel loop with " << pair.tunnel().size() << " steps, first on the edges";
     for(std::size_t i = 0; i < 3 && i < pair.tunnel().size(); ++i) {

@@ -29,7 +29,7 @@ int main(int argc, char* argv[]) {
     return EXIT_FAILURE;
   }
 
-  // The mesh is checked and prepared once; then loops are found from several seeds.
+  // Checks and prepares the mesh once, then finds loops from several seeds.
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(mesh);
   std::cout << "genus " << solver.genus() << std::endl;
 

@@ -1,5 +1,5 @@
-// Makes a mesh that is accepted of a soup of polygons: each has points of its own, one is turned
-// over, one is there twice.
+// Turns a polygon soup into a valid mesh. In the soup each polygon has its own points, one polygon
+// is reversed, and one is a duplicate.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -31,10 +31,10 @@ int main(int argc, char* argv[]) {
   }
   std::cout << points.size() << " points and " << polygons.size() << " polygons\n";
 
-  // Equal points become one, degenerate and duplicate polygons go.
+  // Merges equal points, and removes degenerate and duplicate polygons.
   PMP::repair_polygon_soup(points, polygons);
-  // Polygons are turned over until neighbors agree. Where more than two meet in an edge, or the
-  // surface is not orientable, it is cut open, and false is returned.
+  // Reverses polygons until neighbors agree. Where more than two polygons meet in an edge, or the
+  // surface is not orientable, it is cut open, and the function returns false.
   if(!PMP::orient_polygon_soup(points, polygons))
     std::cout << "the surface had to be cut open\n";
 

@@ -1,5 +1,5 @@
-// Marks the edges of all handle and tunnel loops, and goes on with them as walls: the faces fall
-// into the pieces that no loop crosses.
+// Marks the edges of all handle and tunnel loops, and uses them as barriers: they divide the faces
+// into connected pieces.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -25,7 +25,7 @@ int main(int argc, char* argv[]) {
   std::vector<CGAL::Handle_tunnel_pair<Mesh>> pairs;
   CGAL::handle_tunnel_loops(mesh, std::back_inserter(pairs));
 
-  // One loop as a walk: each halfedge begins where the one before it ends.
+  // One loop as a closed walk: each halfedge begins where the previous one ends.
   for(const auto& pair : pairs) {
     std::vector<Mesh::Halfedge_index> walk;
     CGAL::loop_to_halfedges(pair.handle(), mesh, std::back_inserter(walk));
@@ -33,7 +33,7 @@ int main(int argc, char* argv[]) {
               << " edges\n";
   }
 
-  // All of them as marks, which other functions take.
+  // All loops as edge marks, which other functions accept.
   const auto is_on_loop = mesh.add_property_map<Mesh::Edge_index, bool>("e:loop", false).first;
   CGAL::mark_loop_edges(pairs, mesh, is_on_loop);
   const auto piece = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece", 0).first;

@@ -22,7 +22,7 @@ int main(int argc, char* argv[]) {
     return EXIT_FAILURE;
   }
 
-  // The arc that each vertex belongs to is a segmentation of the mesh.
+  // The arc of each vertex gives a segmentation of the mesh.
   auto arc_of_vertex = mesh.add_property_map<Mesh::Vertex_index, std::size_t>("v:arc", 0).first;
   Graph graph;
   CGAL::reeb_graph(mesh, graph, params::vertex_arc_map(arc_of_vertex));

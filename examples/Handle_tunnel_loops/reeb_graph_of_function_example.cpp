@@ -15,7 +15,7 @@ using Mesh = CGAL::Polyhedron_3<Kernel>;
 using Vertex = boost::graph_traits<Mesh>::vertex_descriptor;
 using Graph = CGAL::Reeb_graph<Mesh>;
 
-// Counts the polylines that the graph falls into at its nodes with one or three arcs.
+// Counts the polylines into which the graph splits at its nodes with one or three arcs.
 struct Polyline_counter
 {
   std::size_t count = 0;
@@ -34,7 +34,7 @@ int main(int argc, char* argv[]) {
     return EXIT_FAILURE;
   }
 
-  // The height in a direction; all of its critical points are kept.
+  // The height in a direction; keeps all of its critical points.
   const auto height = boost::make_function_property_map<Vertex, double>(
       [](Vertex v) { return v->point().x() + 0.5 * v->point().y(); });
   Graph graph;

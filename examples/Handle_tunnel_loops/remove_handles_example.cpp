@@ -1,5 +1,5 @@
-// Removes the small handles of a mesh, as far as they can be removed without a new intersection,
-// and says what became of each. The faces that are new have a colour of their own in the result.
+// Removes the small handles of a mesh if that creates no new intersection, and prints what happened
+// to each of them. New faces have their own color in the result.
 //
 //   remove_handles_example [mesh [maximal length [result.ply]]]
 

@@ -1,5 +1,5 @@
-// A ring with holes in its wall: its loops, its boundary curves, and for each loop of a basis a cut
-// that crosses it once, as potentials on such a surface ask for.
+// A ring with holes in its wall: finds its loops, its boundary curves, and, for each loop of a
+// basis, a cut that crosses it once. Multivalued potentials need such cuts.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -38,7 +38,7 @@ int main(int argc, char* argv[]) {
     std::cout << "boundary curve of length " << curves[i].length()
               << ", beside it a loop of length " << waists[i].length() << '\n';
 
-  // For the handle and the tunnel loop of each pair, then for all boundary curves but the last.
+  // For the handle and the tunnel loop of each pair, then for all boundary curves except the last.
   std::vector<std::vector<std::pair<Mesh::Halfedge_index, std::int64_t>>> cuts;
   CGAL::dual_cuts(mesh, pairs, std::back_inserter(cuts));
   for(const auto& cut : cuts)

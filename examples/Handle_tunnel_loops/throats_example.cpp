@@ -1,4 +1,4 @@
-// All narrow places of a surface, the most prominent first.
+// Lists all narrow places of a surface, the most prominent first.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

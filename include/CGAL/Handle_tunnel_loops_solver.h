@@ -41,16 +41,17 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-Keeps what can be prepared of a mesh once, for repeated computations of its handle and tunnel loops,
-say from several seeds. The mesh must outlive the object and must not change meanwhile.
+Prepares a mesh once, for repeated computations of its handle and tunnel loops, for example from
+several seeds. The mesh must outlive the solver and must not change during its lifetime.
 
-The preparation takes about 60 bytes per vertex and vertex descriptor, and the index maps of
-meshes that have none of their own.
+The preparation needs about 60 bytes per vertex plus one vertex descriptor per vertex, and the index
+maps if the mesh has none.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of the mesh as keys and
-  `GeomTraits::Point_3` as value type; by default the mesh's own
-\tparam GeomTraits a model of `Kernel` with double or exact numbers; by default that of the points
+  `GeomTraits::Point_3` as value type; the default is the vertex point map of the mesh
+\tparam GeomTraits a model of `Kernel` whose number type is `double` or exact; the default is the
+  kernel of the points
 
 \sa `CGAL::handle_tunnel_loops()`
 */
@@ -67,18 +68,19 @@ class Handle_tunnel_loops_solver
       typename Default::Get<GeomTraits, typename Kernel_traits<Point_>::Kernel>::type;
 
 public:
-  /// the point type of the mesh.
+  /// The point type of the mesh.
   using Point = Point_;
-  /// the type of the results.
+  /// The type of the results.
   using Pair = Handle_tunnel_pair<TriangleMesh, Point>;
 
   /*!
-  checks and prepares a mesh. Linear, but for the sort of the vertices along a space-filling curve.
+  Checks and prepares a mesh. The complexity is linear, except for sorting the vertices along a
+  space-filling curve.
 
-  \param tm the mesh
-  \param np a sequence of named parameters: `vertex_point_map`, `vertex_index_map`,
-    `face_index_map`, `geom_traits`, as in `CGAL::handle_tunnel_loops()`; the maps are those of all
-    computations
+  \param tm a triangle mesh with or without boundary
+  \param np an optional sequence of named parameters: `vertex_point_map`, `vertex_index_map`,
+    `face_index_map` and `geom_traits`, as in `CGAL::handle_tunnel_loops()`. All computations use
+    these maps
 
   \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
     mesh, with or without boundary, with finite coordinates
@@ -88,7 +90,7 @@ public:
                                       const NamedParameters& np = parameters::default_values())
       : Handle_tunnel_loops_solver(Sequential_tag(), tm, np) {}
 
-  /// as above; the preparation is parallel if `ConcurrencyTag` says so.
+  /// Same as above; `ConcurrencyTag` selects sequential or parallel preparation.
   template <typename ConcurrencyTag, typename NamedParameters>
   Handle_tunnel_loops_solver(ConcurrencyTag, const TriangleMesh& tm, const NamedParameters& np) {
     using namespace Handle_tunnel_loops;
@@ -115,32 +117,33 @@ public:
     statistics_ = prepared_;
   }
 
-  /// the genus, summed over the connected components.
+  /// Returns the genus, summed over the connected components.
   std::size_t genus() const { return surface_->mesh.genus; }
 
-  /// the number of connected components.
+  /// Returns the number of connected components.
   std::size_t number_of_components() const { return surface_->mesh.seeds.size(); }
 
-  /// the number of boundary curves.
+  /// Returns the number of boundary curves.
   std::size_t number_of_boundaries() const { return surface_->mesh.number_of_hubs; }
 
-  /// what the last computation did.
+  /// Returns the statistics of the last computation.
   const Handle_tunnel_loops::Statistics& statistics() const { return statistics_; }
 
-  /// what has been proved of the result of the last computation.
+  /// Returns the certificate of the last result.
   const Handle_tunnel_loops::Certificate& certificate() const { return certificate_; }
 
   /*!
-  computes the loops, see `CGAL::handle_tunnel_loops()`. `certificate()` says afterwards what has
-  been proved of them, among it where each bounds.
+  Computes the loops, as `CGAL::handle_tunnel_loops()` does. Afterwards, `certificate()` returns
+  what has been certified, including the sides on which each loop bounds.
 
-  \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
+  \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
     `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and
-    `Cuda_if_available_tag`. The result is the same.
+    `Cuda_if_available_tag`. The result does not depend on the tag.
   \param out an output iterator that accepts `Pair`
-  \param np a sequence of named parameters: all of `CGAL::handle_tunnel_loops()` but those that the
-    constructor takes, which are not looked at here
+  \param np an optional sequence of named parameters: all those of `CGAL::handle_tunnel_loops()`
+    except those of the constructor, which are ignored here
   \return `out`, past the last pair written
+  \throws . the exceptions of `CGAL::handle_tunnel_loops()`
   */
   template <typename ConcurrencyTag = Sequential_tag,
             typename OutputIterator,
@@ -172,7 +175,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // For what works on the same arrays: cuts.
+  // For other functions that use the same arrays, such as cuts.
   const auto& prepared_surface() const { return *surface_; }
   /// \endcond
 
@@ -214,7 +217,7 @@ private:
     return request;
   }
 
-  // The seed takes the place of its component's own one.
+  // The given seed replaces the seed of its component.
   std::vector<Handle_tunnel_loops::internal::Index> seeds(vertex_descriptor seed) const {
     auto seeds = surface_->mesh.seeds;
     if(seed == Graph_traits::null_vertex())
@@ -244,7 +247,7 @@ private:
   }
 
   std::shared_ptr<const Surface> surface_;
-  // Of one computation; it alone knows the types of the constructor's parameters.
+  // One computation; only this function knows the types of the constructor's parameters.
   std::function<std::unique_ptr<Loops>()> make_loops_;
   Handle_tunnel_loops::Statistics prepared_, statistics_;
   Handle_tunnel_loops::Certificate certificate_;

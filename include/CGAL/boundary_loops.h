@@ -35,48 +35,53 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-writes the boundary curves of a surface as loops, the surface to their left; or, if
-`basis_kind` says so, for each its waist: a short loop that is homologous to it. The only curve of a
-component bounds all of it, and so has none.
+Writes the boundary curves of a surface as loops, with the surface to their left. With `basis_kind`
+set to `SHORTEST`, it writes for each curve its *waist*: a short loop that is homologous to the
+curve. If a component has only one boundary curve, this curve bounds the whole component and is
+null-homologous, so it has no waist.
 
-All but one of the curves of each component, whichever that is, are a basis of its first homology
-group together with the loops of `handle_tunnel_loops()`. A waist may take the place of its curve.
-It crosses no boundary, but may run along it.
+All boundary curves of each component except an arbitrary one, together with the loops of
+`handle_tunnel_loops()`, are a basis of the first homology group of the surface. A waist may replace
+its curve in this basis. A waist crosses no boundary curve, but may run along one.
 
-A chain is homologous to a boundary curve if it separates that from all others. So the shortest is a
-minimum cut, wherever on the surface it lies: of a graph on the mesh, which makes its length a few
-percent too large. Then it is tightened to a closed geodesic. The shortest chain may be several
-loops (the two legs of trousers may be narrower than the waist); so the curve itself is tightened,
-too, which does not change its homotopy class, and the shortest closed walk along edges is searched
-for that is homologous to the curve and shorter than the loops so far. It is tightened as well.
+A chain is homologous to a boundary curve if it separates this curve from all others. The shortest
+such chain, anywhere on the surface, is therefore a minimum cut. The cut is computed on a graph on
+the mesh, which overestimates its length by a few percent, and is then tightened to a closed
+geodesic. The shortest chain may consist of several loops; for example, the two legs of a pair of
+trousers may be narrower than the waist. The function therefore tightens the curve itself, which
+does not change its homotopy class, and also searches for the shortest closed walk along edges that
+is homologous to the curve and shorter than the loops found so far. The walk is tightened as well.
 
-A waist is no longer than its curve, and no longer than any closed walk along edges that is
-homologous to that, unless the search for walks is given up: it looks at 2<sup>18</sup> ways for
-each curve, or at an equal share of 2<sup>22</sup> where there are more than 16 curves. A way is a
-vertex and a class in which it can be reached. Then the waist is the shortest loop that has been
-found so far. That it is homologous to its curve is decided exactly in either case.
+A waist is not longer than its curve. It is not longer than any closed walk along edges that is
+homologous to its curve, unless the search for walks reaches its limit: 2<sup>18</sup> states per
+curve, or an equal share of 2<sup>22</sup> if there are more than 16 curves. A state is a vertex
+together with a class in which it can be reached. If the search reaches the limit, the waist is the
+shortest loop found so far. In both cases, the waist is exactly certified to be homologous to its
+curve.
 
-The curves take linear time. For each waist, the minimum cut takes mostly near linear time; the
-search for walks takes time near linear in the number of ways, and so is bounded by the budget.
-Ways are looked at up to half of the length of the loops so far; how many there are is up to
-exponential in this length over that of the shortest loops that are not null-homologous. What is
-searched takes memory linear in the size of the mesh for each thread.
+The curves take linear time. For each waist, the minimum cut usually takes near-linear time. The
+search for walks takes near-linear time in the number of states, which the limit bounds. The search
+visits states up to half the length of the shortest loop so far; the number of states may be
+exponential in the ratio of this length to the length of the shortest loops that are not
+null-homologous. The search needs memory linear in the size of the mesh for each thread.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
-  same.
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam OutputIterator a model of `OutputIterator` that accepts `Loop_on_surface<TriangleMesh>`
+\tparam OutputIterator a model of `OutputIterator` that accepts `Loop_on_surface<TriangleMesh>`, or
+  `Loop_on_surface<TriangleMesh, Point>` if the value type `Point` of the vertex point map differs
+  from the point type of the mesh
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param out the iterator that the loops are written to: of type `Loop_type::BOUNDARY`, and
-  numbered by `pair_index()`, a waist as its curve
+\param tm a triangle mesh with or without boundary
+\param out the output iterator that receives the loops. Their type is `Loop_type::BOUNDARY`, and
+  `pair_index()` is the number of the curve; a waist has the number of its curve
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{basis_kind}
-    \cgalParamDescription{`SHORTEST` asks for waists; `PURE` for the curves as they are}
+    \cgalParamDescription{`PURE` to write the boundary curves, `SHORTEST` to write their waists}
     \cgalParamType{`Handle_tunnel_loops::Basis_kind`}
     \cgalParamDefault{`Handle_tunnel_loops::Basis_kind::PURE`}
   \cgalParamNEnd

@@ -36,7 +36,7 @@ namespace CGAL {
 
 namespace Handle_tunnel_loops::internal {
 
-/// the numbers of the faces of the caller. Both arguments must outlive the result.
+/// Returns the numbers of the caller's faces. Both arguments must outlive the result.
 template <typename Prepared, typename FaceIndexMap>
 Face_number face_numbers(const Prepared& surface, FaceIndexMap face_index) {
   return [&surface, face_index](Index u, Index v, Index w) -> std::size_t {
@@ -47,7 +47,7 @@ Face_number face_numbers(const Prepared& surface, FaceIndexMap face_index) {
   };
 }
 
-/// A `Curve_skeleton`, or another graph with the same properties, as arrays.
+/// Returns a `Curve_skeleton`, or another graph with the same properties, as arrays.
 template <typename Graph> Flat_skeleton flat_skeleton(const Graph& graph) {
   Flat_skeleton flat;
   const auto index = get(boost::vertex_index, graph);
@@ -64,7 +64,7 @@ template <typename Graph> Flat_skeleton flat_skeleton(const Graph& graph) {
   return flat;
 }
 
-/// a loop, moved to one end of each edge that it passes.
+/// Returns a loop moved to one end of each edge that it crosses.
 template <typename Loop, typename TriangleMesh, typename IndexOfVertex>
 std::vector<Index> walk_of(const Loop& loop, const TriangleMesh& tm, const IndexOfVertex& index) {
   std::vector<Index> walk;
@@ -80,7 +80,7 @@ std::vector<Index> walk_of(const Loop& loop, const TriangleMesh& tm, const Index
   return walk;
 }
 
-/// what can be proved of a skeleton on the arrays of a surface, of which pairs of loops are known.
+/// Certifies a skeleton on the arrays of a surface, given the pairs of loops.
 template <typename Prepared, typename VertexIndexMap, typename FaceIndexMap, typename PairRange>
 Skeleton_certificate certify_skeleton(Execution execution,
                                       const Prepared& surface,
@@ -102,8 +102,8 @@ Skeleton_certificate certify_skeleton(Execution execution,
   const Skeleton_certificate certificate = certify();
   if(!certificate.connected || !certificate.inside || certificate.basis)
     return certificate;
-  // Handle loops are those of the solid, which is beyond the wall of a cavity; all loops of a basis
-  // tell of both sides.
+  // The handle loops bound in the solid, which lies beyond the surface of a cavity; the loops of a
+  // basis determine both sides.
   for(const auto& pair : pairs)
     walks.push_back(walk_of(pair.tunnel(), surface.tm, index));
   return certify();
@@ -114,38 +114,40 @@ Skeleton_certificate certify_skeleton(Execution execution,
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes what can be proved of a curve skeleton, whoever drew it.
+Certifies a curve skeleton that `curve_skeleton()` or any other program has computed. It checks
+these properties:
 
-- Each edge lies strictly inside the component of the surface that it belongs to, that component by
-  itself, and meets no face of any component; but an inlet is a leaf at the apex of the cap of a
-boundary curve, where the surface is closed by a cap, and its edge meets the cap there.
-- No two edges meet but in a common end.
-- For each component the skeleton is connected, and its cycles are a basis of H1 of the solid
-inside: there are as many as the genus, and the matrix of their linking numbers with the handle
-loops has determinant 1 or -1. By Alexander duality this proves it whatever the loops are, if only
-they are closed curves on the surface. If they are a basis in the sense of `handle_tunnel_loops()`,
-and the cycles are one, the matrix is as it should be.
+- Each edge lies strictly inside its component of the surface, where the component is considered
+  without the others, and meets no face of any component. The exception is an inlet: the apex of the
+  cap that closes a boundary curve, which is a leaf of the skeleton. Its edge meets the cap there.
+- Two edges meet at most in a common endpoint.
+- For each component, the skeleton is connected, and its cycles are a basis of H1 of the solid
+  inside. The number of independent cycles equals the genus, and the matrix of their linking numbers
+  with the handle loops has determinant 1 or -1. By Alexander duality, such a determinant proves
+  that the cycles are a basis, even if the loops are arbitrary closed curves on the surface.
+  Conversely, if the loops are a basis in the sense of `handle_tunnel_loops()` and the cycles are a
+  basis, the determinant is 1 or -1.
 
-All of it is decided by exact predicates on the coordinates of the mesh and of the skeleton, taken
-as doubles (those of an exact kernel are rounded), and in integers. Near linear in the size of the
-mesh and of the skeleton.
+All properties are decided by exact predicates on the coordinates of the mesh and the skeleton,
+taken as doubles (coordinates of an exact kernel are rounded), and by integer arithmetic. The
+complexity is near linear in the size of the mesh and the skeleton.
 
-As by `certify_handle_tunnel_loops()`, that the surface neither crosses nor touches itself is not
-checked. Where it does, it has no inside, and what is said of it means nothing. That its caps meet
-neither it nor each other is.
+Like `certify_handle_tunnel_loops()`, the function does not check that the surface neither crosses
+nor touches itself. If it does, it has no inside, and the certificate is meaningless. The function
+does check that the caps meet neither the surface nor each other.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
-  same.
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`, a triangle mesh with or without boundary
-\tparam Graph `Curve_skeleton<TriangleMesh>`, or another graph with indexed vertices that have its
+\tparam Graph `Curve_skeleton<TriangleMesh>`, or another graph with indexed vertices that have the
   properties `point`, `radius`, `component` and `is_inlet`
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
+\param tm a triangle mesh with or without boundary
 \param skeleton the skeleton
-\param pairs the loops of the mesh: a certified basis
+\param pairs the pairs of loops of `tm`: a certified basis
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -160,15 +162,17 @@ neither it nor each other is.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
-    \cgalParamDescription{a property map associating to each face of `tm` a unique index, by which
-      faces are named}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index; the
+      certificate identifies faces by it}
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is no oriented 2-manifold triangle mesh
-  with finite coordinates
+\return the certificate
+
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
+  mesh with finite coordinates
 
 \sa `curve_skeleton()`
 */

@@ -37,63 +37,67 @@
 #include <utility>
 
 /// \file curve_skeleton.h
-/// A curve skeleton inside a surface, with as many cycles as the surface has handles.
+/// Computes a curve skeleton inside a surface, with as many cycles as the surface has handles.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes a curve skeleton of the solid that a surface encloses: lines in the middle of its parts.
+Computes a curve skeleton of the solid that a surface encloses: curves along the middle of its
+parts.
 
-For each component of the surface, the skeleton is connected and lies strictly inside; no two of its
-edges meet but in a common end; and it has as many independent cycles as the genus, which are a
-basis of the first homology group of the solid. This is proved of every answer in exact arithmetic
-(`certify_curve_skeleton()`; `Skeleton_statistics::certificate` says what has been proved), provided
-that the surface neither crosses nor touches itself, which is not checked. Where it does there is no
-inside, and the certificate tells which edges meet the surface.
+For each component of the surface, the skeleton is connected and lies strictly inside, two of its
+edges meet at most in a common endpoint, and it has as many independent cycles as the genus, which
+are a basis of the first homology group of the solid. These properties are certified in exact
+arithmetic for every result (`certify_curve_skeleton()`); `Skeleton_statistics::certificate` reports
+which of them hold. They require that the surface neither crosses nor touches itself, which is not
+checked. If it does, it has no inside, and the certificate lists the edges that meet the surface.
 
-Each component is looked at by itself, on its bounded side; lines of one avoid the others all the
-same. A boundary curve is closed by a cap, a fan of faces around its middle, and is an inlet: it has
-a leaf there (`Curve_skeleton_vertex::is_inlet`), which alone does not lie inside. Where that fan
-would meet itself, the surface or another cap, as on curves that wind, its apex is moved to where it
-meets nothing; if no such place is found, the certificate says so.
+Each component is processed without the others, on its bounded side; the skeletons of different
+components still avoid each other. A boundary curve is closed by a cap, a fan of faces around its
+center. The apex of the cap is an inlet: a leaf of the skeleton
+(`Curve_skeleton_vertex::is_inlet`), and the only kind of vertex that does not lie inside. If the
+fan would meet itself, the surface or another cap, as on winding curves, its apex is moved to a
+position where it meets none of them. If no such position is found, the certificate reports it.
 
-From places on the surface, evenly spread against the thickness of the solid there, balls are grown
-along the normals until they reach the opposite side. Balls of neighbouring places are joined where
-the way between them is free, or else along the surface a little inside, which always is. Cycles of
-this graph are chosen by how they link with the handle loops, the ones through large balls first,
-and where balls are alike, as in plates and in the walls of tubes, the ones far from the rim; then
-ways to the ends of limbs. A limb is a region of places far from the cycles, or from the widest
-place, that is long against the girth of its base, or that narrow places lead to, as to a wheel on
-its axle; and what is left may be a limb of a limb. Arcs that leave a joint side by side are one
-until they part. In the ball around a joint, ways are straight; arcs are smooth and in the middle,
-and straight in plates. All of this is done in a frame that is told by the shape of the mesh: how
-the mesh lies, and how its elements are numbered, makes no difference but by rounding, unless the
-mesh looks the same, or nearly, from several sides.
+The method places samples on the surface, spaced in proportion to the local thickness of the solid,
+and grows a ball along the normal of each until it reaches the opposite side. Balls of neighboring
+samples are joined by a straight edge if it stays inside, and otherwise along the surface, slightly
+inside of it, which is always possible. The cycles of this graph are chosen by their linking numbers
+with the handle loops. Cycles through large balls come first; among balls of similar size, as in
+plates and in the walls of tubes, those far from the rim come first. Paths to the ends of the limbs
+are added next. A limb is a region of samples far from the cycles, or from the widest place, that is
+long relative to the girth of its base, or that is reached through a narrow place, like a wheel on
+an axle. A limb may have limbs of its own. Arcs that leave a joint side by side are merged up to the
+point where they separate. Arcs are straight in the ball around a joint, smooth and centered
+elsewhere, and straight in plates. All steps use a frame that depends on the shape only. The
+position and orientation of the mesh and the numbering of its elements change the result by rounding
+only, unless the mesh is symmetric or nearly symmetric.
 
-The time is that of `handle_tunnel_loops()`, plus \f$ O(n + m \log n) \f$ for \f$ m \f$ places, of
-which there are at most tens of thousands, whatever the number \f$ n \f$ of faces.
+The running time is that of `handle_tunnel_loops()` plus \f$ O(n + m \log n) \f$ for
+\f$ n \f$ faces and \f$ m \f$ samples; \f$ m \f$ is at most some tens of thousands, for any
+\f$ n \f$.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag` and
-  `Cuda_if_available_tag`, of which the latter two are about the handle loops. The result does not
-  depend on it.
+  `Cuda_if_available_tag`. The CUDA tags apply to the computation of the handle loops only. The
+  result does not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam Graph `Curve_skeleton<TriangleMesh, Point>`, where `Point` is the value type of the vertex point
-  map; or the graph that `extract_mean_curvature_flow_skeleton()` fills, with vertices that have the
-  properties `point` and `vertices`
+\tparam Graph `Curve_skeleton<TriangleMesh, Point>`, where `Point` is the value type of the vertex
+  point map; or the graph type that `extract_mean_curvature_flow_skeleton()` fills, whose vertices
+  have the properties `point` and `vertices`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param skeleton the graph that the result is assigned to
+\param tm a triangle mesh with or without boundary
+\param skeleton the graph that receives the result; its previous content is replaced
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{skeleton_options}
-    \cgalParamDescription{what the skeleton is to be like}
+    \cgalParamDescription{the options of the skeleton}
     \cgalParamType{`Handle_tunnel_loops::Skeleton_options`}
-    \cgalParamDefault{as that says}
+    \cgalParamDefault{a default-constructed object}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
@@ -106,31 +110,32 @@ which there are at most tens of thousands, whatever the number \f$ n \f$ of face
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
-    \cgalParamDescription{a property map associating to each face of `tm` a unique index, by which the
-      certificate names faces}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index; the
+      certificate identifies faces by it}
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is told the progress of the computation of loops, from 0 to 1, and asks to
-      stop by returning `false`}
+    \cgalParamDescription{a function that is called with the progress of the computation of the
+      loops, from 0 to 1, and returns `false` to stop the computation}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{an empty function}
-    \cgalParamExtra{After a stop the graph is as it was.}
+    \cgalParamExtra{After a stop, the graph is unchanged.}
   \cgalParamNEnd
   \cgalParamNBegin{solver_options}
-    \cgalParamDescription{how the handle loops are computed; they are not made short, as any basis will do}
+    \cgalParamDescription{the options of the computation of the handle loops. The loops are not
+      shortened, because any basis suffices}
     \cgalParamType{`Handle_tunnel_loops::Solver_options`}
-    \cgalParamDefault{as that says}
+    \cgalParamDefault{a default-constructed object}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what the computation did, and what has been proved
+\return the statistics of the computation, including the certificate
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle mesh
-  with finite coordinates
-\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws std::invalid_argument if the length of the shortest limb is negative or no number
+\throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
+  mesh with finite coordinates
+\throws Handle_tunnel_loops::Interrupted_exception if the callback returned `false`
+\throws std::invalid_argument if `Skeleton_options::shortest_limb` is negative or not a number
 
 \sa `certify_curve_skeleton()`
 \sa `CGAL::reeb_graph()`

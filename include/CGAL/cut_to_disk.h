@@ -27,13 +27,13 @@
 #include <vector>
 
 /// \file cut_to_disk.h
-/// Cutting surfaces open to disks.
+/// Computes cuts that open surfaces to disks.
 
 namespace CGAL {
 
 namespace Handle_tunnel_loops::internal {
 
-/// tells a request what the named parameters say of edges and vertices.
+/// Passes the named parameters about edges and vertices to a request.
 template <typename Request, typename NamedParameters>
 void read_parameters(Request& request, const NamedParameters& np) {
   using parameters::choose_parameter;
@@ -56,61 +56,66 @@ void read_parameters(Request& request, const NamedParameters& np) {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-finds edges along which a surface falls open: cut along them, every connected component of positive
-genus, or with several boundary curves, is one disk. The cut is short: it begins with the loops of
-the shortest basis that `handle_tunnel_loops()` finds, moved onto the edges, connected by shortest
-arcs. Then each of its arcs gives way to the shortest path that may take its place, until none is
-shorter than what it would replace. That the components are disks then, with Euler characteristic 1
-and one boundary cycle, is counted before anything is written.
+Finds edges that cut a surface to disks. After cutting along them, every connected component that
+has positive genus or several boundary curves is one disk. The cut starts from the loops of the
+shortest basis that `handle_tunnel_loops()` finds: they are moved onto the edges and connected by
+shortest arcs, with the preferences of \cgalCite{erickson2005greedy} for a spanning tree of the dual
+graph. Then each arc of the cut is replaced by the shortest path that can take its place, until no
+replacement is shorter. The cut is short, but not necessarily shortest. Before anything is written,
+the function certifies by counting that each component is a disk: its Euler characteristic is 1 and
+it has one boundary cycle.
 
-Closed components of genus 0 are left as they are, unless they have cones or edges to keep, or
-`do_cut_spheres` says otherwise. So are disks.
+Closed components of genus 0 are not cut, unless they have cones or constrained edges, or
+`do_cut_spheres` is set. Components that are already disks are not cut either.
+
+The running time is that of finding the loops, plus about that of two runs of Dijkstra's algorithm
+for each round of replacements, for any number of arcs.
 
 The result does not depend on the number of threads.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation of the loops, as in
-  `handle_tunnel_loops()`
+\tparam ConcurrencyTag enables sequential versus parallel computation of the loops, with the
+  possible values of `handle_tunnel_loops()`; the default is `Sequential_tag`
 \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
 \tparam OutputIterator a model of `OutputIterator` that accepts
   `boost::graph_traits<TriangleMesh>::%edge_descriptor`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param out the iterator that the edges are written to, each once
-\param np an optional sequence of named parameters among those listed below, and those of
+\param tm a triangle mesh with or without boundary
+\param out the output iterator that receives the edges, each edge once
+\param np an optional sequence of named parameters among those listed below and those of
   `handle_tunnel_loops()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{vertices that the cut has to pass, so that they are on the boundary of the
-      disk: the cones of a parametrization, say}
+    \cgalParamDescription{vertices that the cut must pass through, so that they lie on the boundary
+      of the disk, for example the cones of a parametrization}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as value type}
     \cgalParamDefault{none}
-    \cgalParamExtra{A sphere with one such vertex is cut from there to the vertex farthest away.}
+    \cgalParamExtra{A sphere with one such vertex is cut from this vertex to the farthest vertex.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_weight_map}
-    \cgalParamDescription{what an edge counts, in the place of its length; not negative. An edge
-      of infinite weight must not belong to the cut}
+    \cgalParamDescription{a non-negative weight for each edge, used instead of its length. An edge
+      of infinite weight is never part of the cut}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and a number as value type}
     \cgalParamDefault{the length of the edge}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{edges that have to belong to the cut}
+    \cgalParamDescription{edges that must be part of the cut}
     \cgalParamType{a class model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{known_loops}
-    \cgalParamDescription{loops to begin with, which are then not looked for; any will do, the
-      shorter they are the better, a basis is best}
+    \cgalParamDescription{loops to start from, which replaces their computation. Any loops are
+      valid; a basis of short loops gives the best result}
     \cgalParamType{a range of `Handle_tunnel_pair<TriangleMesh>` or `Loop_on_surface<TriangleMesh>`}
-    \cgalParamDefault{the shortest basis}
+    \cgalParamDefault{the loops of the shortest basis are computed}
   \cgalParamNEnd
   \cgalParamNBegin{do_cut_spheres}
-    \cgalParamDescription{whether components of genus 0 are cut, too, along an arc between vertices
-      that are far from each other}
+    \cgalParamDescription{whether closed components of genus 0 are cut as well, along an arc between
+      vertices that are far apart}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -130,13 +135,13 @@ The result does not depend on the number of threads.
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh, with or without boundary, with finite coordinates
-\throws Handle_tunnel_loops::No_cut_exception if the edges to keep or to avoid leave no cut; that is
-  decided before loops are looked for
-\throws std::invalid_argument if a constrained vertex has no faces, or a weight is negative or not a
-  number
-\throws Handle_tunnel_loops::Uncertified_cut_exception if the result is not as promised; that is a
-  defect of the package, and nothing has been written
-\throws . what `handle_tunnel_loops()` throws
+\throws Handle_tunnel_loops::No_cut_exception if no cut satisfies the constraints and the infinite
+  weights; the message names the cause. This is decided before loops are computed
+\throws std::invalid_argument if a constrained vertex has no face, or if a weight is negative or not
+  a number
+\throws Handle_tunnel_loops::Uncertified_cut_exception if the result fails its certificate. This
+  indicates a defect of the package; nothing has been written
+\throws . the exceptions of `handle_tunnel_loops()`
 
 \sa `add_seams_of_cut()`
 \sa `mark_loop_edges()`
@@ -184,18 +189,19 @@ OutputIterator cut_to_disk(const TriangleMesh& tm,
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-adds the edges of a cut to the seams of a `Seam_mesh`, one by one with its own `add_seam()`: so its
-property maps and its counters agree. To be called before the seam mesh is asked for its number of
-vertices, which it remembers.
+Adds the edges of a cut to the seams of a `Seam_mesh`. Each edge is added with
+`Seam_mesh::add_seam()`, so the property maps and counters of the seam mesh stay consistent. Call
+this function before you query the number of vertices of the seam mesh, because the seam mesh caches
+this number.
 
 \tparam SeamMesh an instance of `Seam_mesh`
-\tparam EdgeRange a range of edges of the mesh underneath
+\tparam EdgeRange a range of edges of the underlying mesh
 
-\param seam_mesh the seam mesh; its property maps must not say yet that these edges are seams
-\param edges the edges, such as `cut_to_disk()` writes
+\param seam_mesh the seam mesh; its property maps must not mark these edges as seams yet
+\param edges the edges, for example those that `cut_to_disk()` writes
 
-\return a halfedge of the mesh underneath on the first of the edges, as `Seam_mesh::add_seams()`
-  does, or the null halfedge if there are none
+\return a halfedge of the underlying mesh on the first edge that was added, as
+  `Seam_mesh::add_seams()` returns it, or the null halfedge if no edge was added
 */
 template <typename SeamMesh, typename EdgeRange>
 auto add_seams_of_cut(SeamMesh& seam_mesh, const EdgeRange& edges) {

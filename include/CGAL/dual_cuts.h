@@ -28,48 +28,50 @@
 #include <vector>
 
 /// \file dual_cuts.h
-/// Cuts that are dual to a basis of loops.
+/// Computes cuts that are dual to a basis of loops.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes, for each loop of a basis of the first homology group, a cut along edges that crosses this
-loop once and no other, counted with sign: what makes a potential single-valued on a multiply
-connected surface, with one jump for each cut. Cuts of a surface with boundary may begin and end
-there: arcs from boundary to boundary, and loops.
+Computes a cut along edges for each loop of a basis of the first homology group. Each cut crosses
+its loop once and no other loop, counted with sign. Such cuts make a potential single-valued on a
+multiply connected surface, with one jump per cut. On a surface with boundary, a cut may consist of
+closed curves and of arcs from boundary to boundary.
 
-The basis are the loops of the pairs and, of each component with boundary, all boundary curves but
-the last, as `boundary_loops()` writes them, with the surface to their left.
+The basis consists of the loops of the pairs and, for each component with boundary, of all boundary
+curves except the last, as `boundary_loops()` writes them, with the surface to their left.
 
-A cut is a chain: halfedges and, for each, how often the cut runs along it (never negative nor
-zero). Apart from the boundary, as many arrive at a vertex as leave it. A loop crosses its cut once
-from right to left. A jump is added wherever an edge of the cut is crossed, as often as it says.
+A cut is a chain: a sequence of halfedges, each with a positive multiplicity. At every vertex that
+is not on the boundary, the incoming and outgoing multiplicities are equal. A loop crosses its cut
+once from right to left. Where a path crosses an edge of the cut, the potential changes by the jump
+of the cut times the multiplicity of the edge.
 
-The cuts are combinations of the edges of `cut_to_disk()` that uses the loops of the pairs, hence
-along them where it can be; that they are dual is a matter of integers: the inverse of a matrix of
-intersection numbers. They are short, not shortest.
+The cuts are combinations of the edges of the cut that `cut_to_disk()` finds for the loops of the
+pairs, so they follow these loops if possible. The inverse of an integer matrix of intersection
+numbers makes them dual. They are short, but not necessarily shortest.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation, as in `cut_to_disk()`; the
-  result is the same
+\tparam ConcurrencyTag enables sequential versus parallel computation, with the possible values of
+  `cut_to_disk()`; the default is `Sequential_tag`. The result does not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam OutputIterator a model of `OutputIterator` that accepts
   `std::vector<std::pair<boost::graph_traits<TriangleMesh>::%halfedge_descriptor, std::int64_t>>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param pairs its pairs, such as `handle_tunnel_loops()` writes them: all of them
-\param out the iterator that the cuts are written to: of the handle and the tunnel of each pair in
-  turn, then of the boundary curves
-\param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map`
+\param tm a triangle mesh with or without boundary
+\param pairs all pairs of loops of `tm`, for example those that `handle_tunnel_loops()` writes
+\param out the output iterator that receives the cuts: for each pair, the cut of its handle loop and
+  the cut of its tunnel loop, followed by the cuts of the boundary curves
+\param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map`, as in
+  `cut_to_disk()`
 
 \return `out`, past the last cut written
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh, with or without boundary, with finite coordinates
-\throws std::invalid_argument if the loops of the pairs are no basis
+\throws std::invalid_argument if the loops of the pairs are not a basis
 
 \sa `cut_to_disk()`
 \sa `boundary_loops()`

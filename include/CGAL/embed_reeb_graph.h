@@ -36,13 +36,13 @@
 #include <vector>
 
 /// \file embed_reeb_graph.h
-/// Reeb graphs drawn in the middle of the solid.
+/// Embeds Reeb graphs in the middle of the solid.
 
 namespace CGAL {
 
 namespace Handle_tunnel_loops::internal {
 
-/// a Reeb graph on the arrays of its surface. \p index gives the numbers of vertices there.
+/// Returns a Reeb graph on the arrays of its surface. \p index gives the numbers of vertices there.
 template <typename Graph, typename IndexOfVertex>
 Graph_of_parts
 parts_of_graph(const Graph& graph, const Flat_mesh& mesh, const IndexOfVertex& index) {
@@ -60,7 +60,7 @@ parts_of_graph(const Graph& graph, const Flat_mesh& mesh, const IndexOfVertex& i
   return parts;
 }
 
-/// gives the line of an arc to it. Returns the number of segments that are inside.
+/// Assigns its polyline to an arc. Returns the number of segments that lie inside.
 template <typename Arc>
 std::size_t
 take_line(const std::vector<Inner_ball>& line, const std::vector<char>& is_inside, Arc& arc) {
@@ -84,42 +84,44 @@ take_line(const std::vector<Inner_ball>& line, const std::vector<char>& is_insid
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-draws a Reeb graph in the middle of the solid that its surface encloses. `reeb_graph()` draws lines
-through the means of contours, in hardly any time, which is a quick look at the graph; but these
-leave the solid where contours are not convex. This function draws them again, by the balls that
-`curve_skeleton()` is found by, in a time that is near that of `curve_skeleton()`.
+Embeds a Reeb graph in the middle of the solid that its surface encloses. `reeb_graph()` draws the
+arcs through the centroids of the contours, which is very fast but leaves the solid where contours
+are not convex. This function replaces these polylines. It uses the same balls as `curve_skeleton()`
+and takes about as long.
 
-Nodes, arcs and what belongs to them stay as they are. `Reeb_node::point` is put in the middle of
-the solid where its vertex sees it, an end of a limb too, and `Reeb_arc::polyline` leads there in
-the middle of the part of the solid that is around the vertices of the arc; where there is no way in
-this part, as in a flat ring of which the contours surround the hole, the line takes a way elsewhere
-inside. `Reeb_arc::radii` tells how thick the solid is around it.
+The nodes and arcs of the graph, and the vertices that belong to them, do not change.
+`Reeb_node::point` moves to the middle of the solid near the vertex of the node; this also holds for
+the end of a limb. `Reeb_arc::polyline` follows the middle of the part of the solid that the
+vertices of the arc surround. If there is no path through this part, as in a flat ring whose
+contours surround the hole, the polyline takes another path inside the solid. `Reeb_arc::radii`
+reports the local thickness of the solid.
 
-It is done in a frame that the shape tells, so that the drawing of a mesh that is turned, or has
-other numbers, is the same if the graph is. Lines that run side by side are a little apart:
-`Reeb_embedding::embedded` tells that none meet.
+The computation uses a frame that depends on the shape only. If you rotate the mesh or renumber its
+elements, the embedding stays the same, provided that the graph does. Polylines that run side by
+side are kept slightly apart; `Reeb_embedding::embedded` reports whether no two of them meet.
 
-That each segment lies strictly inside is tested by exact predicates on the coordinates of the mesh
-and of the polylines, as doubles. Of a surface that neither crosses nor touches itself they all do,
-unless the walls are thinner than doubles can tell. On others, those that are known to do are
-marked.
+Exact predicates on the coordinates of the mesh and the polylines, taken as doubles, decide whether
+each segment lies strictly inside. If the surface neither crosses nor touches itself, all segments
+do, unless the walls are too thin for the precision of doubles. On other surfaces, the segments that
+are certified to lie inside are marked (`Reeb_arc::is_inside`).
 
-The graph has as many cycles as the genus, and is drawn so that these are a basis of H1 of the
-solid, as those of `curve_skeleton()` are: `certify_curve_skeleton()` tells. Where contours bound
-inside the lines of the arcs do so by themselves. Where they bound outside, as around the hole of a
-flat ring, all arcs between two nodes are in the same place, and do not tell what they lead around:
-one of them takes the cheapest way around a hole that no other cycle leads around.
+The graph has as many independent cycles as the genus, and it is embedded so that these cycles are a
+basis of H1 of the solid, as for `curve_skeleton()`; call `certify_curve_skeleton()` to certify it.
+If the contours bound inside, the polylines have this property by construction. If the contours
+bound outside, as around the hole of a flat ring, all arcs between two nodes lie in the same place
+and do not determine a hole; one of these arcs is then routed along the cheapest path around a hole
+that no other cycle goes around.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
-  not depend on it.
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
-  point map
+\tparam Graph `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex point
+  map
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param graph its graph, as `reeb_graph()` or `reeb_graph_of_function()` computed it
+\param tm a triangle mesh with or without boundary
+\param graph the Reeb graph of `tm`, computed by `reeb_graph()` or `reeb_graph_of_function()`
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -135,7 +137,7 @@ one of them takes the cheapest way around a hole that no other cycle leads aroun
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what is known of the drawing
+\return the properties of the embedding
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates

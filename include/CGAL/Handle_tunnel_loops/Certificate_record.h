@@ -23,47 +23,48 @@
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What has been proved of pairs of loops.
+/// The certificate of a set of pairs of loops: the properties that have been certified.
 struct Certificate
 {
-  /// every loop is a closed curve on the surface: consecutive steps lie on a common face.
+  /// whether every loop is a closed curve on the surface: consecutive steps lie on a common face.
   bool closed_on_surface = false;
 
-  /// the loops are 2g in number and a basis of the first homology group over the integers.
+  /// whether there are 2g loops that are a basis of the first homology group over the integers.
   bool basis = false;
 
-  /// the two loops of each pair cross once, counted with sign. This, and what follows, is left
-  /// undecided, as if it were not so, if there are more or fewer loops than a basis has.
+  /// whether the two loops of each pair cross once, counted with sign. This member and the
+  /// following ones remain undecided, with the value `false`, if the number of loops is not 2g.
   bool pairing = false;
 
-  /// in no pair the linking numbers show that the loop that is called the handle is the tunnel.
-  /// That a loop bounds on neither side is no failure.
+  /// whether no pair is named wrongly, that is, linking numbers never show that the loop that is
+  /// called the handle loop is the tunnel loop. A loop that bounds on neither side is no failure.
   bool types = false;
 
-  /// how each loop lies in space, handles and tunnels in turn; empty if that was not asked for.
+  /// the linking numbers of each loop, in the order handle loop, tunnel loop for each pair; empty
+  /// if they were not computed.
   std::vector<Loop_linking> linking;
 
-  /// the number of handle loops that bound in the solid, if linking numbers were computed and the
-  /// loops are a basis.
+  /// the number of handle loops that bound in the solid; set if linking numbers were computed and
+  /// the loops are a basis.
   std::optional<std::size_t> handles_bound_inside;
 
-  /// the number of tunnel loops that bound outside the solid, if linking numbers were computed and
-  /// the loops are a basis.
+  /// the number of tunnel loops that bound outside the solid; set if linking numbers were computed
+  /// and the loops are a basis.
   std::optional<std::size_t> tunnels_bound_outside;
 
-  /// the same, each component as if the others were not there.
+  /// the number of handle loops that bound inside their component, considered without the others.
   std::optional<std::size_t> handles_bound_inside_alone;
 
-  /// the same, each component as if the others were not there.
+  /// the number of tunnel loops that bound outside their component, considered without the others.
   std::optional<std::size_t> tunnels_bound_outside_alone;
 
-  /// what the basis was meant to be. Of the shortest one, `pairing` and `types` are not required.
+  /// the requested kind of basis. For the shortest basis, `pairing` and `types` are not required.
   Basis_kind basis_kind = Basis_kind::PURE;
 
-  /// in words, what failed, a line for each failure; empty if nothing did.
+  /// what failed, as text with one line per failure; empty if nothing failed.
   std::string failure;
 
-  /// of the empty basis, where the genus is 0.
+  /// Returns the certificate of the empty basis of a surface of genus 0.
   static Certificate of_no_loops(Basis_kind kind, bool do_link) {
     Certificate c;
     c.closed_on_surface = c.basis = c.pairing = c.types = true;
@@ -74,7 +75,7 @@ struct Certificate
     return c;
   }
 
-  /// whether everything holds that is required.
+  /// Returns whether all required properties hold.
   explicit operator bool() const {
     return closed_on_surface && basis && (basis_kind == Basis_kind::SHORTEST || (pairing && types));
   }

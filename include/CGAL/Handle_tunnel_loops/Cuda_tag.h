@@ -31,28 +31,30 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()`, of
-`CGAL::Handle_tunnel_loops_solver::find_loops()` and of `CGAL::reeb_graph()`, it asks for a CUDA
-device: the fields of all passes and the contours run there, and contours and closed walks come
-back; arrival times only where no dual loop of a handle was found in the tunnel pass, for the
-tunnels that are found by one field from all loops, with `vertex_value_map`, and, with
-`do_log_fronts` or `vertex_layer_map`, as layers. For a Reeb graph of a diffusion its field runs
-there too, and its arrival times come back. The preparation of the mesh, the tightening of the loops
-and the certificate run on the processor, in parallel if TBB is linked. The loops are those of
-`Sequential_tag` and `Parallel_tag`.
+A concurrency tag that requests a CUDA device. Use it as the `ConcurrencyTag` of
+`CGAL::handle_tunnel_loops()`, `CGAL::Handle_tunnel_loops_solver::find_loops()`,
+`CGAL::reeb_graph()` and the other functions that list it.
 
-Which device and which stream is said by `Handle_tunnel_loops::Solver_options::device`. At least
-about 90 bytes per face of the device's memory are asked for: some 50 for the mesh and one field,
-the rest for one loop pass. Where there is more, the loop passes take more, and run the more at a
-time. Some of it is kept for the next computation, see
+The fields of all passes and the contours are computed on the device, and contours and closed walks
+are copied back. Arrival times are copied back only for tunnel loops that one field from all loops
+finds, because the tunnel pass found no dual loop for their handles, and for `vertex_value_map`.
+Layers are copied back for `do_log_fronts` and `vertex_layer_map`. For a Reeb graph, the field of
+the diffusion is computed on the device as well, and its arrival times are copied back. The
+preparation of the mesh, the tightening of the loops and the certificate run on the processor, in
+parallel if TBB is linked. The loops are the same as with `Sequential_tag` and `Parallel_tag`.
+
+Set the device and the stream in `Handle_tunnel_loops::Solver_options::device`. The computation
+needs at least about 90 bytes of device memory per face: some 50 bytes for the mesh and one field,
+and the rest for one loop pass. If more memory is available, the loop passes use it to run more
+fields at a time. Some of the memory is kept for the next computation; see
 `Handle_tunnel_loops::release_device_memory()`.
 
 The program must be linked with the target `Handle_tunnel_loops::cuda`, which defines the macro
-`CGAL_LINKED_WITH_CUDA`; without, the use of this tag does not compile.
+`CGAL_LINKED_WITH_CUDA`. Otherwise code that uses this tag does not compile.
 
-The computation throws `Handle_tunnel_loops::No_device_exception` where there is no device or no
-driver, `Handle_tunnel_loops::Out_of_device_memory_exception` where its memory is too small, and
-`Handle_tunnel_loops::Device_exception` where something else fails.
+The computation throws `Handle_tunnel_loops::No_device_exception` if there is no device or no
+driver, `Handle_tunnel_loops::Out_of_device_memory_exception` if the device memory is too small, and
+`Handle_tunnel_loops::Device_exception` for any other failure of the device.
 */
 struct Cuda_tag : public Handle_tunnel_loops::internal::Threads_if_available_tag
 {};
@@ -60,12 +62,13 @@ struct Cuda_tag : public Handle_tunnel_loops::internal::Threads_if_available_tag
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-The same where the program is linked with `Handle_tunnel_loops::cuda`, there is a device with enough
-memory, and the mesh is not so small that the processor is done before a device has started, see
-`Handle_tunnel_loops::Device_options::least_vertices`; elsewhere the computation runs on the
-processor. Should the device fail in the middle, the processor goes on from what there is; no
-`Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` says
-why it was not the device.
+A concurrency tag that requests a CUDA device if one is useful. The computation runs as with
+`Cuda_tag` if the program is linked with `Handle_tunnel_loops::cuda`, there is a device with enough
+memory, and the mesh is so large that the device is faster than the processor
+(`Handle_tunnel_loops::Device_options::least_vertices`). Otherwise it runs on the processor. If the
+device fails during the computation, the processor continues from the results so far; no
+`Handle_tunnel_loops::Device_exception` is thrown. `Handle_tunnel_loops::Statistics::fallback` gives
+the reason if the device was not used or failed.
 */
 struct Cuda_if_available_tag : public Handle_tunnel_loops::internal::Threads_if_available_tag
 {};
@@ -82,7 +85,7 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : device::Passes_if_ther
 
 #else
 
-// Depends on a type, so that nobody is refused who does not use it.
+// Depends on a type, so that only programs that use the tag fail to compile.
 template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Threads_if_available_tag>
 {
   static std::unique_ptr<Passes> make(const Flat_mesh&, std::vector<Index>, const Pass_options&) {

@@ -26,10 +26,10 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-The vertex bundle of `Curve_skeleton`: a node of the skeleton, or a bend between two.
+The vertex bundle of `Curve_skeleton`: a node of the skeleton, or a bend of an arc.
 
-It has what a vertex of the graph that `extract_mean_curvature_flow_skeleton()` fills has, under the
-same names.
+It includes, under the same names, the members of the vertices of the graph that
+`extract_mean_curvature_flow_skeleton()` fills.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Point_ the point type of the mesh
@@ -39,25 +39,26 @@ template <typename TriangleMesh,
               typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type>
 struct Curve_skeleton_vertex
 {
-  /// where it is.
+  /// the position of the vertex.
   Point_ point;
-  /// the vertices of the mesh that belong to it. Each vertex that has a face belongs to one.
+  /// the vertices of the mesh that are assigned to it. Each mesh vertex with a face is assigned to
+  /// one vertex of the skeleton.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
-  /// the distance to the surface: the radius of the largest ball inside around the point. At an
-  /// inlet, the distance to the boundary curve.
+  /// the distance to the surface, which is the radius of the largest ball inside around the point.
+  /// For an inlet, it is the distance to the boundary curve.
   double radius = 0.;
-  /// the number of the connected component of the mesh that it is the skeleton of, from 0.
+  /// the number, from 0, of the connected component of the mesh that it belongs to.
   std::size_t component = 0;
-  /// whether it is the apex of the cap of a boundary curve.
+  /// whether the vertex is an inlet: the apex of the cap of a boundary curve.
   bool is_inlet = false;
 };
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-The type of the graphs that `curve_skeleton()` computes. Its edges are line segments. Nodes are
-vertices of degree other than 2; each path between two of them is an arc, which
-`CGAL::split_graph_into_polylines()` finds.
+The type of the graphs that `curve_skeleton()` computes. Its edges are line segments. The nodes of
+the skeleton are the vertices of degree other than 2. Each path between two nodes is an arc;
+`CGAL::split_graph_into_polylines()` extracts the arcs.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Point the point type of the mesh
@@ -73,32 +74,33 @@ using Curve_skeleton = boost::adjacency_list<boost::vecS,
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What a skeleton is to be like: the value of the named parameter `skeleton_options`.
+/// The options of a skeleton: the value of the named parameter `skeleton_options`.
 struct Skeleton_options
 {
-  /// limbs are left out that are shorter than about this many times the radius of their base, which
-  /// is its girth over two pi; not negative. A limb that tapers, as the corner of a plate does,
-  /// counts as shorter by its mean girth over that of its base. About: the line is drawn where,
-  /// within 10%, it tells best between the limbs of the surface. So are those shorter than 2.5% of
-  /// the diagonal of the box around it, and those that end in the ball that they begin in. Cycles
-  /// never are.
+  /// the minimal length of a limb as a multiple of the radius at its base, where the radius is the
+  /// girth over \f$ 2\pi \f$; not negative. Shorter limbs are omitted. The length of a limb that
+  /// tapers, such as a corner of a plate, is first multiplied by the ratio of its mean girth to the
+  /// girth at its base. The actual threshold may differ from this value by up to 10%: it is placed
+  /// where it separates the limbs of the surface best. Limbs that are shorter than 2.5% of the
+  /// bounding-box diagonal are omitted as well, and so are limbs that end in the ball in which they
+  /// begin. Cycles are never omitted.
   double shortest_limb = 1.2;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What a computation of a skeleton did.
+/// The statistics of the computation of a skeleton.
 struct Skeleton_statistics
 {
-  std::size_t number_of_vertices = 0;   ///< of the mesh, without those that have no faces
-  std::size_t number_of_faces = 0;      ///< of the mesh
-  std::size_t number_of_components = 0; ///< of the mesh
+  std::size_t number_of_vertices = 0;   ///< mesh vertices that have a face
+  std::size_t number_of_faces = 0;      ///< mesh faces
+  std::size_t number_of_components = 0; ///< connected components of the mesh
   std::size_t number_of_boundaries = 0; ///< boundary curves of the mesh
-  std::size_t genus = 0;                ///< sum over the components
-  std::size_t number_of_balls = 0;      ///< that the skeleton was chosen from
-  double seconds_of_loops = 0.;         ///< for a basis of loops, which cycles are chosen by
-  double seconds_of_skeleton = 0.;      ///< for all else
+  std::size_t genus = 0;                ///< summed over the components
+  std::size_t number_of_balls = 0;      ///< balls among which the skeleton was chosen
+  double seconds_of_loops = 0.;         ///< wall time of the loops that select the cycles
+  double seconds_of_skeleton = 0.;      ///< wall time of all other steps
 
-  /// what has been proved of the skeleton, by the loops.
+  /// the certificate of the skeleton.
   Skeleton_certificate certificate;
 };
 

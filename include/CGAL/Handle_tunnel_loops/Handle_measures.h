@@ -19,26 +19,26 @@
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The largest ball that can be led along some closed curve.
+/// The largest ball that can move along a closed curve of some kind.
 template <typename Point> struct Threaded_ball
 {
-  double diameter = 0.;     ///< in the unit of the coordinates
-  double error = 0.;        ///< the true diameter is not farther from this than that
-  Point throat;             ///< where the centre is when the ball has the least room
-  std::vector<Point> curve; ///< along which the centre goes, closed; it begins at the throat
+  double diameter = 0.;     ///< the diameter, in the unit of the coordinates
+  double error = 0.;        ///< an upper bound for the error of the diameter
+  Point throat;             ///< the center of the ball at the narrowest place
+  std::vector<Point> curve; ///< the closed curve of the center; begins at `throat`
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// How thick a handle is, and how wide its hole: what `handle_measures()` writes.
+/// The thickness of a handle and the clear width of its hole, as `handle_measures()` writes them.
 template <typename Point> struct Handle_measures
 {
-  /// the largest ball that goes around the handle in the material.
+  /// the largest ball that can move around the handle inside the material.
   std::optional<Threaded_ball<Point>> thickness;
 
-  /// the largest ball that goes through the hole, from outside.
+  /// the largest ball that can pass through the hole, outside the material.
   std::optional<Threaded_ball<Point>> clear_width;
 
-  /// why one of these is missing, in words; empty if none is.
+  /// why a value is missing, as text; empty if both are present.
   std::string why;
 };
 

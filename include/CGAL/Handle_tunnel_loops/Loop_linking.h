@@ -23,38 +23,38 @@ namespace CGAL::Handle_tunnel_loops {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-How a loop of a family lies in space, by linking numbers: that of two disjoint closed curves is the
-number of times that one winds around the other.
+The linking numbers of a loop with a family of loops. The linking number of two disjoint closed
+curves is the number of times that one winds around the other.
 
-The loops of pair k have the numbers 2k, the handle loop, and 2k + 1, the tunnel loop. Let V(i, j)
-be the linking number of loop i with loop j when loop j is pushed off the surface, out of the solid.
-If the loops are a basis of the first homology group and the surface does not cross itself, a loop
-bounds in the solid exactly if its row of V is zero, and outside exactly if its column is (Alexander
-duality). The solid are the points that are enclosed by an odd number of components; how the faces
-are oriented plays no part.
+The loops of pair k have the numbers 2k (the handle loop) and 2k + 1 (the tunnel loop). Let V(i, j)
+be the linking number of loop i with loop j, where loop j is pushed off the surface, out of the
+solid. If the loops are a basis of the first homology group and the surface does not cross itself,
+then loop i bounds in the solid if and only if row i of V is zero, and it bounds outside the solid
+if and only if column i is zero (Alexander duality). The solid is the set of points that an odd
+number of components enclose; the orientation of the faces does not matter.
 */
 struct Loop_linking
 {
-  /// the number of a loop, and a linking number that is not zero.
+  /// The number of a loop, and a linking number that is not zero.
   using Number = std::pair<std::size_t, std::int64_t>;
 
-  std::vector<Number> row;    ///< with the other loops, and itself, pushed outwards
-  std::vector<Number> column; ///< of the other loops, and itself, with this loop pushed outwards
+  std::vector<Number> row;    ///< with all loops, itself included, pushed outwards
+  std::vector<Number> column; ///< of all loops, itself included, with this loop pushed outwards
 
-  /// Where the row, or the column, is zero for all loops of the same component: whether the loop
-  /// bounds on the side of its component where the solid is, or on the other, if the other
-  /// components were not there.
+  /// whether the row (for the side of the solid) or the column (for the other side) is zero for all
+  /// loops of the same component: the loop bounds on this side of its component if the component is
+  /// considered without the others.
   bool bounds_inside_component = false, bounds_outside_component = false;
 
-  /// in words, why the numbers mean nothing, because the surface touches or crosses itself; empty
-  /// if they do mean something.
+  /// why the numbers are meaningless, as text, because the surface touches or crosses itself; empty
+  /// if they are valid.
   std::string problem;
 
-  /// whether the loop bounds a surface in the solid; `false` if that is not known.
+  /// Returns whether the loop bounds a surface in the solid; `false` if this is undecided.
   bool bounds_inside() const { return problem.empty() && row.empty(); }
 
-  /// whether the loop bounds a surface in the space outside the solid; `false` if that is not
-  /// known.
+  /// Returns whether the loop bounds a surface in the space outside the solid; `false` if this is
+  /// undecided.
   bool bounds_outside() const { return problem.empty() && column.empty(); }
 };
 

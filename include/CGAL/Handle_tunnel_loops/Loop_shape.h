@@ -24,7 +24,7 @@
 #include <vector>
 
 /// \file Loop_shape.h
-/// How large, how flat and how round a loop is.
+/// Measures the size, flatness and roundness of a loop.
 
 namespace CGAL {
 
@@ -33,37 +33,39 @@ namespace Handle_tunnel_loops {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-How large, how flat and how round a closed polyline is, such as a loop. Lengths are in the unit of
-the coordinates. Of a loop that goes around a bore this says how the loop runs: the diameter of the
-bore itself is that of its wall, see `CGAL::round_bores()`.
+The size, flatness and roundness of a closed polyline such as a loop. Lengths are in the unit of the
+coordinates. For a loop around a bore, these values describe the loop; for the diameter of the bore
+itself, use `CGAL::round_bores()`.
 
 \tparam Point a three-dimensional point
 */
 template <typename Point> struct Loop_shape
 {
+  /// The vector type of the kernel of the points.
   using Vector = typename Kernel_traits<Point>::Kernel::Vector_3;
 
-  /// A circle in the plane.
+  /// A circle in the plane of the polyline.
   struct Circle
   {
-    Point center;
-    double diameter;
-    double deviation; ///< the largest distance of a corner of the polyline from it, in the plane
+    Point center;     ///< the center
+    double diameter;  ///< the diameter
+    double deviation; ///< the largest distance of a corner of the polyline to it, in the plane
   };
 
-  double length = 0.;   ///< of the polyline
-  double diameter = 0.; ///< of a circle of that length
-  Bbox_3 box;           ///< the bounding box
-  Point center;         ///< the centroid of the polyline, each part of it as heavy as it is long
-  /// of length 1: that of the plane through the centroid that is nearest to the polyline in the
-  /// sense of least squares. The polyline turns around it counterclockwise. The null vector if the
+  double length = 0.;   ///< the length of the polyline
+  double diameter = 0.; ///< the diameter of a circle of that length
+  Bbox_3 box;           ///< the bounding box of the polyline
+  Point center;         ///< the centroid of the polyline, weighted by length
+  /// the unit normal of the plane through the centroid that fits the polyline best in the sense of
+  /// least squares. The polyline turns around it counterclockwise. It is the null vector if the
   /// length is 0.
   Vector normal;
-  double deviation = 0.; ///< the largest distance of a point of the polyline from that plane
-  /// that of least squares through the corners, if they are on it but for a hundredth of its
-  /// radius, leave no gap that is wider than that of a hexagon, and if the polyline is flat up to
-  /// as much and goes around once. Points at which it goes straight on, seen along the normal, are
-  /// no corners: around a coarse bore it lies on a polygon, and the corners are on the circle.
+  double deviation = 0.; ///< the largest distance of a point of the polyline to that plane
+  /// the least-squares circle through the corners, if the polyline is nearly round: the corners lie
+  /// on the circle up to one hundredth of its radius, no gap between them is wider than the sides
+  /// of a hexagon, the polyline is flat up to the same tolerance, and it goes around once. Points
+  /// at which the polyline is straight, seen along the normal, are not corners: around a coarse
+  /// bore, the loop lies on a polygon, and the corners of the polygon lie on the circle.
   std::optional<Circle> circle;
 };
 
@@ -72,16 +74,19 @@ template <typename Point> struct Loop_shape
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-measures a closed polyline. The result does not depend on where the polyline begins, and moves and
-grows with it, but for rounding.
+Measures a closed polyline. The result does not depend on the point at which the polyline begins. It
+moves and scales with the polyline, up to rounding.
 
-The complexity is linear, and near linear where it is nearly round.
+The complexity is linear, and near linear for polylines that are nearly round.
 
 \tparam PointRange a range of three-dimensional points
-\param points those of the polyline; the first one is not repeated at the end. Coordinates are
+
+\param points the points of the polyline; the first one is not repeated at the end. Coordinates are
   taken as doubles.
 
-\pre there is at least one point, and coordinates are finite.
+\return the shape of the polyline
+
+\pre `points` is not empty, and all coordinates are finite.
 
 \sa `round_bores()`
 */

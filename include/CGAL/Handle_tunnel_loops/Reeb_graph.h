@@ -25,22 +25,22 @@
 namespace CGAL {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What a node of a Reeb graph is.
+/// The types of nodes of a Reeb graph.
 enum class Reeb_node_type {
-  MINIMUM, ///< where a contour begins
-  SADDLE,  ///< where two contours become one, or one becomes two
-  MAXIMUM, ///< where a contour ends
-  REGULAR  ///< no critical point: a place on an arc that would otherwise be parallel to another one
+  MINIMUM, ///< a contour begins
+  SADDLE,  ///< two contours merge, or one contour splits
+  MAXIMUM, ///< a contour ends
+  REGULAR  ///< not critical: divides an arc that would otherwise be parallel to another one
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// By what leaves of a Reeb graph are called small.
+/// The measures by which the simplification compares the leaves of a Reeb graph.
 enum class Reeb_measure {
-  LIMBS, ///< as `PERSISTENCE`; but leaves that are less long than thick at their base are small
-  PERSISTENCE, ///< the difference of the values at their ends, over the range of the function
-  LENGTH,      ///< the length of their polyline, over the diagonal of the bounding box
-  AREA,        ///< the area of the surface that belongs to them, over the whole
-  VERTICES     ///< the number of the vertices that belong to them, over the whole
+  LIMBS,       ///< as `PERSISTENCE`, but leaves shorter than the thickness at their base are small
+  PERSISTENCE, ///< the difference of the values at the ends, relative to the range of the function
+  LENGTH,      ///< the length of the polyline, relative to the bounding-box diagonal
+  AREA,        ///< the area of the surface of the leaf, relative to the total area
+  VERTICES     ///< the number of vertices of the leaf, relative to the total number
 };
 
 /*!
@@ -56,17 +56,17 @@ template <typename TriangleMesh,
               typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type>
 struct Reeb_node
 {
-  /// the vertex of the mesh that is the critical point.
+  /// the mesh vertex of the critical point.
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
-  /// where the node is drawn: at the vertex if it is an extremum; if not, at the mean of the front
-  /// where that is inside of the solid, else at a place nearby that is, as far as may be.
+  /// the position of the node. An extremum lies at its vertex. Other nodes lie at the centroid of
+  /// the front if it is inside the solid, and otherwise at a nearby point that is, if possible.
   Point point;
-  /// the radius of the largest ball inside around the point, if `embed_reeb_graph()` placed it.
+  /// the radius of the largest ball inside around the point; set by `embed_reeb_graph()` only.
   double radius = 0.;
-  /// the type of the critical point.
+  /// the type of the node.
   Reeb_node_type type = Reeb_node_type::REGULAR;
-  /// the value of the function at the vertex; the arrival time of the front, if that is the
-  /// function.
+  /// the value of the function at the vertex. For a diffusion, it is the arrival time of the front
+  /// in steps.
   double value = 0.;
 };
 
@@ -85,27 +85,27 @@ struct Reeb_arc
 {
   /// the position of the arc in the range `edges(graph)`.
   std::size_t index = 0;
-  /// where the arc is drawn: the means of the front as it passes, or places nearby where these are
-  /// outside of the solid, from `source(e, graph)` to `target(e, graph)` for the descriptors `e` in
-  /// the range `edges(graph)`, both included.
+  /// the polyline of the arc: the centroids of the front as it passes, or nearby points where these
+  /// are outside of the solid. It goes from `source(e, graph)` to `target(e, graph)`, both
+  /// included, for the descriptors `e` in the range `edges(graph)`.
   std::vector<Point> polyline;
-  /// the vertices of the mesh that belong to the arc, by increasing value. A critical point belongs
-  /// to the arc below it, or to the only one that it has, if the graph is not contracted.
+  /// the mesh vertices that belong to the arc, by increasing value. If the graph is not contracted,
+  /// a critical point belongs to the arc below it, or to its only arc.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
   /// the length of the polyline.
   double length = 0.;
-  /// by point of the polyline, the radius of the largest ball inside around it; empty unless
-  /// `embed_reeb_graph()` drew it.
+  /// for each point of the polyline, the radius of the largest ball inside around it; empty unless
+  /// `embed_reeb_graph()` computed the polyline.
   std::vector<double> radii;
-  /// by segment of the polyline, whether it is known to lie strictly inside; empty unless
-  /// `embed_reeb_graph()` drew it.
+  /// for each segment of the polyline, whether it is certified to lie strictly inside; empty unless
+  /// `embed_reeb_graph()` computed the polyline.
   std::vector<bool> is_inside;
 };
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-The type of the graphs that `reeb_graph()` computes. The source of an edge is the end with the lower
+The type of the graphs that `reeb_graph()` computes. The source of an edge is its end with the lower
 value.
 
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -123,72 +123,73 @@ using Reeb_graph = boost::adjacency_list<boost::vecS,
 namespace Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// The part of the whole up to which leaves of a Reeb graph are taken off, if no other is given.
+/// The default value of `Reeb_options::threshold`.
 constexpr double default_simplification_threshold = 0.03;
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What a Reeb graph is to be like: the value of the named parameter `reeb_options`.
+/// The options of a Reeb graph: the value of the named parameter `reeb_options`.
 struct Reeb_options
 {
-  /// how the size of a leaf is measured; by default by `Reeb_measure::LIMBS` for a diffusion, and
-  /// by `Reeb_measure::PERSISTENCE` for a given function.
+  /// the measure of leaves. The default is `Reeb_measure::LIMBS` for a diffusion, and
+  /// `Reeb_measure::PERSISTENCE` for other functions.
   std::optional<Reeb_measure> measure;
 
-  /// leaves are taken off whose size is at most this part of the whole, in [0, 1]; 0 gives the full
-  /// Reeb graph.
+  /// the threshold of the simplification, in [0, 1]. Leaves whose measure is at most this value are
+  /// removed. 0 gives the full Reeb graph.
   double threshold = default_simplification_threshold;
 
-  /// arcs between saddles that are shorter than so many times their radius are contracted, that is,
-  /// their nodes become one, with more than three arcs: where saddles come almost at once there are
-  /// few arcs then, each for a part of the surface that one would name. How long an arc is, its
-  /// area tells and the girth of its contours. No cycle is lost: arcs from a node to itself stay,
-  /// and so do leaves. The vertices of an arc that is contracted go to arcs beside it, and the
-  /// borders between arcs to where they are short, off the contours. 0 contracts nothing. 2, as
-  /// long as thick, is a good value; `allow_parallel_arcs` should be set then.
+  /// the minimal length of an arc between saddles, as a multiple of its radius; not negative.
+  /// Shorter arcs are contracted: their nodes become one node, with more than three arcs. If
+  /// several saddles are close together, the graph then has few arcs, each of which represents a
+  /// recognizable part of the surface. The length of an arc is derived from its area and the girth
+  /// of its contours. Cycles are preserved, as arcs from a node to itself if necessary, and so are
+  /// leaves. The vertices of a contracted arc are assigned to adjacent arcs, and the borders
+  /// between arcs move off the contours to where they are short. 0 contracts nothing. 2 is a good
+  /// value (as long as thick); set `allow_parallel_arcs` with it.
   double shortest_arc = 0.;
 
-  /// whether several arcs may join the same two nodes, or one a node to itself; if so there are no
-  /// regular nodes.
+  /// whether several arcs may join the same two nodes, and an arc may join a node to itself. If
+  /// set, the graph has no regular nodes.
   bool allow_parallel_arcs = false;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What is known of a Reeb graph that has been drawn inside.
+/// The properties of an embedded Reeb graph.
 struct Reeb_embedding
 {
   /// whether all segments of the polylines lie strictly inside the component that they belong to,
-  /// and meet no other. `Reeb_arc::is_inside` tells which do.
+  /// and meet no other component. `Reeb_arc::is_inside` lists them.
   bool inside = false;
-  /// whether no two segments meet but in a common end.
+  /// whether two segments meet at most in a common endpoint.
   bool embedded = false;
-  std::size_t number_of_segments = 0;        ///< of all polylines
-  std::size_t number_of_segments_inside = 0; ///< of these
-  std::size_t number_of_balls = 0;           ///< that the polylines were chosen from
-  double seconds = 0.;                       ///< wall time
+  std::size_t number_of_segments = 0;        ///< segments of all polylines
+  std::size_t number_of_segments_inside = 0; ///< segments that are certified to lie inside
+  std::size_t number_of_balls = 0;           ///< balls among which the polylines were chosen
+  double seconds = 0.;                       ///< wall time in seconds
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What a computation of a Reeb graph did.
+/// The statistics of the computation of a Reeb graph.
 struct Reeb_statistics
 {
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_faces = 0;
-  std::size_t number_of_components = 0;
+  std::size_t number_of_vertices = 0;       ///< mesh vertices that have a face
+  std::size_t number_of_faces = 0;          ///< mesh faces
+  std::size_t number_of_components = 0;     ///< connected components of the mesh
   std::size_t number_of_boundaries = 0;     ///< boundary curves
   std::size_t genus = 0;                    ///< summed over the components
-  std::size_t number_of_critical_nodes = 0; ///< before the simplification
-  std::uint64_t number_of_steps = 0;        ///< edges walked over where contours part
-  bool has_used_trees = false;              ///< whether the steps became too many
-  /// what computed the fields of a diffusion: "host", "cuda", "cuda, then host" or "reference";
-  /// empty for a given function.
+  std::size_t number_of_critical_nodes = 0; ///< nodes before the simplification
+  std::uint64_t number_of_steps = 0;        ///< edges traversed where contours split
+  bool has_used_trees = false;              ///< whether the number of steps reached its limit
+  /// the backend that computed the fields of a diffusion: "host", "cuda", "cuda, then host" or
+  /// "reference"; empty for other functions.
   std::string backend;
-  std::string fallback; ///< why the processor computed them, where a device was to if possible
+  std::string fallback;             ///< why the processor was used although a device was requested
   double seconds_of_adaptor = 0.;   ///< wall time of the preparation of the mesh
-  double seconds_of_function = 0.;  ///< of the loops and the diffusion, or of reading values
-  double seconds_of_sweep = 0.;     ///< of the Reeb graph itself
-  double seconds_of_finishing = 0.; ///< of simplification and embedding
+  double seconds_of_function = 0.;  ///< wall time of loops and diffusion, or of reading values
+  double seconds_of_sweep = 0.;     ///< wall time of the Reeb graph itself
+  double seconds_of_finishing = 0.; ///< wall time of simplification and embedding
 
-  /// the wall time of all, in seconds.
+  /// Returns the total wall time in seconds.
   double total_seconds() const {
     return seconds_of_adaptor + seconds_of_function + seconds_of_sweep + seconds_of_finishing;
   }

@@ -26,42 +26,46 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-As the `ConcurrencyTag` of `CGAL::handle_tunnel_loops()`, of
-`CGAL::Handle_tunnel_loops_solver::find_loops()` and of `CGAL::reeb_graph()`, it asks for the
-reference solver: the method of \cgalCite{weinrauch2023variational}, in one thread, to compare
-others with. Where a rule of the paper does not hold on any mesh there is another one in its place,
-unless `Literal_rules` ask for the letter; \ref HTLLetter "the manual" lists them.
+A concurrency tag that requests the reference solver: the method of
+\cgalCite{weinrauch2023variational}, in one thread, as a baseline for comparisons. Use it as the
+`ConcurrencyTag` of `CGAL::handle_tunnel_loops()`,
+`CGAL::Handle_tunnel_loops_solver::find_loops()` and `CGAL::reeb_graph()`. If a rule of the paper
+does not work on all meshes, the reference solver uses another rule, unless you select the literal
+rule in `Literal_rules`; \ref HTLLetter "the manual" lists these rules.
 
-All fields of the initial pass are the rows of a sparse matrix, and obey the equation of the paper's
-section 3 with all its terms; the fields of the other two passes cover the whole mesh; tunnels, and
-handles after the refinement, are streamlines across the triangles. These passes tighten nothing,
-and share no algorithm that finds loops with the other solvers; they share with them the adaptor and
-its arrays, the sequences of crossed edges that loops are, the order of the passes, the conversion
-of the answer, the linking numbers and the offset criterion that tell handles from tunnels, and the
-certificate. The stage `CLASSES` that follows is that of the other solvers too: it replaces loops
-that do not bound, unless `Solver_options::do_compute_linking` is switched off, and looks for
-shorter ones, which are tightened, unless `do_tighten` is.
-`Handle_tunnel_loops::Statistics::front_events` holds the splits, merges and closings of the initial
-pass afterwards, and `Handle_tunnel_loops::Statistics::resolution` where the mesh was too coarse for
-what the paper takes for granted.
+The fields of the initial pass are the rows of a sparse matrix and follow the equation of section 3
+of the paper with all its terms. The fields of the other two passes cover the whole mesh. Tunnel
+loops, and refined handle loops, are streamlines across the triangles. These passes do not tighten
+loops, and they share no algorithm that finds loops with the other solvers. They do share the mesh
+adaptor and its arrays, the representation of loops as sequences of crossed edges, the order of the
+passes, the conversion of the result, the linking numbers and the offset criterion that distinguish
+handle loops from tunnel loops, and the certificate.
 
-A Reeb graph starts from the handle loops of these passes, and its diffusion is one more field over
-the whole mesh, section 6 of the paper; the sweep through the arrival times is that of the other
+The stage `CLASSES` that follows is also that of the other solvers. It replaces loops that do not
+bound, unless `Solver_options::do_compute_linking` is `false`. It looks for shorter loops and
+tightens them, unless `Solver_options::do_tighten` is `false`.
+
+Afterwards, `Handle_tunnel_loops::Statistics::front_events` contains the splits, merges and closings
+of the initial pass, and `Handle_tunnel_loops::Statistics::resolution` counts where the mesh was too
+coarse for the assumptions of the paper.
+
+A Reeb graph starts from the handle loops of these passes. Its diffusion is one more field over the
+whole mesh (section 6 of the paper). The sweep through the arrival times is that of the other
 solvers.
 
-Each step costs time in proportion to the whole mesh and there are about as many steps as the mesh
-is edges wide, times three, for each pass: \f$ O(g n^{3/2}) \f$ on a mesh with n vertices. Memory is
-about 700 bytes per vertex.
+The running time of a step is proportional to the size of the whole mesh. Each pass takes about
+three times as many steps as the mesh is edges wide, which gives \f$ O(g n^{3/2}) \f$ for
+\f$ n \f$ vertices and genus \f$ g \f$. The memory is about 700 bytes per vertex.
 
-It needs Eigen; the macro `CGAL_EIGEN3_ENABLED` has to be defined, as it is in programs that are
-linked with the target `CGAL::Eigen3_support`.
+The reference solver requires \eigen: the macro `CGAL_EIGEN3_ENABLED` must be defined, as it is in
+programs that are linked with the target `CGAL::Eigen3_support`.
 */
 struct Reference_tag : public Sequential_tag
 {};
 
 namespace Handle_tunnel_loops {
 
-using CGAL::Reference_tag; // where it was at first
+using CGAL::Reference_tag; // its former place
 
 namespace internal {
 

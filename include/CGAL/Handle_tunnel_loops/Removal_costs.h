@@ -22,13 +22,13 @@ namespace CGAL::Handle_tunnel_loops {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-What it would take to remove a handle either way: the areas and volumes that would change.
+The costs of removing one handle by a cut and by a fill: the areas and volumes that would change.
 */
 struct Removal_costs
 {
-  std::optional<Removed_handle> cut;   ///< along the handle loop; nothing if that cannot be
-  std::optional<Removed_handle> fill;  ///< along the tunnel loop; nothing if that cannot be
-  std::string why_no_cut, why_no_fill; ///< in words; empty if it can be
+  std::optional<Removed_handle> cut;   ///< along the handle loop; empty if no cut is possible
+  std::optional<Removed_handle> fill;  ///< along the tunnel loop; empty if no fill is possible
+  std::string why_no_cut, why_no_fill; ///< the reason, as text; empty if it is possible
 };
 
 } // namespace CGAL::Handle_tunnel_loops

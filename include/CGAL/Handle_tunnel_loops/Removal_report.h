@@ -24,79 +24,81 @@
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// Which ways of removing a handle are allowed.
+/// The methods of removing handles.
 enum class Removal_method {
-  CUT,             ///< cut along the handle loop, and both ends closed in the solid
-  FILL,            ///< cut along the tunnel loop, and its hole closed on both sides
-  SMALLEST_CHANGE, ///< whole if it is like a knob on the surface; or else the one of the two that
-                   ///< changes the shape less, or the other one if that cannot be
-  CHEAPEST = SMALLEST_CHANGE ///< another name
+  CUT,             ///< cut along the handle loop; both ends are closed inside the solid
+  FILL,            ///< cut along the tunnel loop; the hole is closed on both sides
+  SMALLEST_CHANGE, ///< take out handles that protrude from a nearly flat region; cut or fill all
+                   ///< others, whichever changes the shape less, or else whichever is possible
+  CHEAPEST = SMALLEST_CHANGE ///< another name of `SMALLEST_CHANGE`
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// Which handles are removed, and how: the value of the named parameter `removal_options`. Lengths
-/// are in the unit of the coordinates.
+/// The options of a removal: the value of the named parameter `removal_options`. Lengths are in the
+/// unit of the coordinates.
 struct Removal_options
 {
-  /// along which loops handles are removed.
+  /// the method of removal.
   Removal_method method = Removal_method::SMALLEST_CHANGE;
-  /// the same for single handles, by the positions of their pairs among all.
+  /// the method for single handles, by the positions of their pairs; overrides `method`.
   std::map<std::size_t, Removal_method> methods;
-  /// the genus to be left, summed over the components; by default none.
+  /// the genus at which to stop, summed over the components; by default, all handles are removed.
   std::optional<std::size_t> target_genus;
-  /// only handles of a smaller size are removed; by default there is no limit, or that of necks.
+  /// if set, only handles of a smaller size are removed. By default, there is no limit, except that
+  /// of necks if `maximal_neck_length` is set.
   std::optional<double> maximal_length;
-  /// only handles are removed whose loop that is tried first lies in this box.
+  /// if set, only handles are removed whose loop that is tried first lies in this box.
   std::optional<Bbox_3> box;
-  /// only round bores of at least this diameter are removed; by default handles of any kind. See
-  /// `maximal_bore_diameter`.
+  /// if set, only round bores of at least this diameter are removed; see `maximal_bore_diameter`.
   std::optional<double> minimal_bore_diameter;
-  /// only round bores of at most this diameter are removed. Each of the two limits does without the
-  /// other one; 0 for the lower one, or infinity for the upper one, asks for all of them. A bore is
-  /// round if a part of its wall is a cylinder: its edges lie within 1 percent of the radius on a
-  /// circle, which is that of the diameter, and go around it as those of a hexagon, or denser. Of a
-  /// stepped bore, or one with counterbores, the narrowest cylinder counts; slots have no diameter.
-  /// Bores are filled, whatever else would be the smallest change.
+  /// if set, only round bores of at most this diameter are removed. You can set either limit
+  /// without the other. Set the lower limit to 0, or the upper one to infinity, to remove all round
+  /// bores. A bore is round if a part of its wall is a cylinder: its edges lie on a circle up to 1
+  /// percent of the radius, spaced at least as densely as those of a hexagon. The diameter of the
+  /// bore is that of this circle. For a stepped bore, or a bore with counterbores, the narrowest
+  /// cylinder counts. Slots have no diameter. Bores are always filled, even if another way would
+  /// change the shape less.
   std::optional<double> maximal_bore_diameter;
-  /// necks shorter than this are removed; 0 for none.
+  /// necks shorter than this are removed; 0 removes none.
   double maximal_neck_length = 0.;
-  /// the share of the area of its component that each piece has at least that comes off at a neck;
-  /// from 0 to 0.5.
+  /// the minimal area of each component that is split off at a neck, as a fraction of the area of
+  /// the component before; in [0, 0.5].
   double minimal_piece_share = 0.01;
   /// whether only channels are removed: holes through the material from an outer wall to an inner
-  /// one, such as leaks, shorter around than necks may be. They are filled, and where all of them
-  /// are, the inner wall comes off as a shell of its own, which is what tells them from other
-  /// handles and necks: these stay.
+  /// wall, such as leaks, whose loops are shorter than `maximal_neck_length`. Channels are filled.
+  /// When all of them are filled, the inner wall becomes a shell of its own, which distinguishes
+  /// channels from other handles and necks. These are not removed.
   bool only_channels = false;
-  /// whether handles are removed even where that is no repair: the manual names the limits.
+  /// whether to remove handles even if the removal is not a valid repair; see
+  /// `CGAL::remove_handles()` for the conditions.
   bool force = false;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// How a handle was removed.
+/// The way in which a handle was removed.
 enum class Removal_way {
-  CUT,  ///< cut along the handle loop, and both ends closed in the solid
-  FILL, ///< cut along the tunnel loop, and its hole closed on both sides
-  WHOLE ///< the surroundings of both loops taken out, and replaced by one disc
+  CUT,  ///< cut along the handle loop; both ends are closed inside the solid
+  FILL, ///< cut along the tunnel loop; the hole is closed on both sides
+  WHOLE ///< the surroundings of both loops are taken out and replaced by one disk
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// How the shape differs where a handle was removed. Volumes and lengths are in the unit of the
-/// coordinates.
+/// The change of the shape where a handle was removed. Lengths, areas and volumes are in the unit
+/// of the coordinates.
 struct Shape_change
 {
-  double volume_removed = 0.; ///< of the solid taken away
-  double volume_added = 0.;   ///< of the solid put in
-  double cap_area = 0.;       ///< of what is new of the surface
-  double cap_ratio = 0.;    ///< the largest area of a cap over that of a circle as long as its rim
-  double displacement = 0.; ///< the largest distance of a point of a cap from the old surface
-  double burial = 0.; ///< the largest distance from the caps of a point that was taken out with
-                      ///< solid; what is buried in solid does not count
-  double sharpest_angle = 180.; ///< the smallest dihedral angle at an edge of a cap, in degrees:
-                                ///< 180 where it is flat
-  double box_growth = 0.;       ///< how far a cap leaves the bounding box of the surface
+  double volume_removed = 0.; ///< the volume removed from the solid
+  double volume_added = 0.;   ///< the volume added to the solid
+  double cap_area = 0.;       ///< the area of the new surface
+  double cap_ratio = 0.;    ///< the largest area of a cap, relative to a circle of its rim's length
+  double displacement = 0.; ///< the largest distance of a point of a cap to the old surface
+  double burial = 0.; ///< the largest distance to the caps of a point that was removed together
+                      ///< with solid; points that are now inside the solid do not count
+  double sharpest_angle = 180.; ///< the smallest dihedral angle at an edge of a cap, in degrees;
+                                ///< 180 if it is flat
+  double box_growth = 0.;       ///< the distance by which a cap leaves the old bounding box
 
-  /// takes another change into account: volumes and areas are added, of all else the worst counts.
+  /// Adds another change: volumes and areas are summed, and the worst of all other values is kept.
   Shape_change& operator+=(const Shape_change& other) {
     volume_removed += other.volume_removed;
     volume_added += other.volume_added;
@@ -111,42 +113,45 @@ struct Shape_change
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// A handle that was removed, or a neck. Of handles that were taken out together as a whole, areas
-/// and volumes are shared out equally.
+/// A handle or a neck that was removed. Handles that were taken out together share areas and
+/// volumes equally.
 struct Removed_handle
 {
-  std::size_t pair; ///< the position of its pair among all; of no meaning for a neck
+  std::size_t pair; ///< the position of its pair among all pairs; meaningless for a neck
   Removal_way by;   ///< how it was removed
-  double length; ///< of the loop that it was removed along, as that was found: it may have been led
-                 ///< around other handles since; of the longest one of what was taken out whole
-  double area;   ///< of the caps that took the place of a strip along the loop
-  double volume; ///< of the solid taken away; negative if solid was put in
-  Shape_change change = {}; ///< of the shape
-  std::size_t patch = 0; ///< the number by which the parameter `face_patch_map` knows its caps: its
-                         ///< own, or that of the first of those that were removed together
+  double length;    ///< the length of the loop of the removal as it was found; it may have been
+                    ///< rerouted since. If taken out whole: the length of the longest loop
+  double area;      ///< the area of the caps that replaced a strip along the loop
+  double volume;    ///< the volume removed from the solid; negative if solid was added
+  Shape_change change = {}; ///< the change of the shape
+  std::size_t patch = 0; ///< the number of its caps in `face_patch_map`: its own number, or that of
+                         ///< the first of the handles that were removed together
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// A handle that was to be removed and was not, or a neck.
+/// A handle or a neck that was selected for removal but not removed.
 struct Refused_handle
 {
-  std::size_t pair;   ///< the position of its pair among all; of no meaning for a neck
-  double length;      ///< of the loop that was tried first
-  std::string reason; ///< in words, for each loop that was tried
+  std::size_t pair;   ///< the position of its pair among all pairs; meaningless for a neck
+  double length;      ///< the length of the loop that was tried first
+  std::string reason; ///< the reason as text, for each loop that was tried
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What `CGAL::remove_handles()` has done, or would do. Summed over the components.
+/// The result of `CGAL::remove_handles()`, also of a dry run. Numbers are summed over the
+/// components.
 struct Removal_report
 {
+  /// the genus before and after the removal.
   std::size_t genus_before = 0, genus_after = 0;
+  /// the number of connected components before and after the removal.
   std::size_t components_before = 0, components_after = 0;
-  std::vector<Removed_handle> removed; ///< handles
-  std::vector<Refused_handle> refused;
-  std::vector<Removed_handle> removed_necks; ///< where a piece came off
-  std::vector<Refused_handle> refused_necks;
+  std::vector<Removed_handle> removed;       ///< handles that were removed
+  std::vector<Refused_handle> refused;       ///< handles that were refused
+  std::vector<Removed_handle> removed_necks; ///< necks at which a component was split off
+  std::vector<Refused_handle> refused_necks; ///< necks that were refused
 
-  /// of all that was removed.
+  /// Returns the change of the shape by all removals.
   Shape_change change() const {
     Shape_change sum;
     for(const std::vector<Removed_handle>* all : {&removed, &removed_necks})

@@ -21,16 +21,17 @@ namespace Handle_tunnel_loops {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-A bore that is drilled, or its narrowest part if it has several: round and straight.
+A round and straight bore, or the narrowest part of a bore with several diameters.
 
 \tparam Point the point type of a mesh
 */
 template <typename Point> struct Round_bore
 {
-  double diameter; ///< of the circle through the edges along its wall, in the unit of the mesh
-  Point center;    ///< in the middle of its axis
-  /// the direction of its axis, of length 1; of coordinates that are largest, the first one is
-  /// positive.
+  double diameter; ///< the diameter of the circle through the edges of its wall, in the unit of the
+                   ///< coordinates
+  Point center;    ///< the midpoint of its axis
+  /// the direction of its axis, of length 1. The coordinate of largest absolute value is positive;
+  /// if there are several, the first of them.
   typename Kernel_traits<Point>::Kernel::Vector_3 axis;
 };
 

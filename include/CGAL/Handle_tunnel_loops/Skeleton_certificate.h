@@ -21,43 +21,44 @@
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What has been proved of a curve skeleton.
+/// The certificate of a curve skeleton: the properties that have been certified.
 struct Skeleton_certificate
 {
-  /// each component of the mesh has one connected part of the skeleton, with as many independent
-  /// cycles as the genus of the component, and each part is of one component.
+  /// whether each component of the mesh has one connected part of the skeleton, with as many
+  /// independent cycles as its genus, and each part belongs to one component.
   bool connected = false;
 
-  /// every edge lies strictly inside the component that it belongs to, and meets no other; but for
-  /// inlets, which lie on caps.
+  /// whether every edge lies strictly inside its component and meets no other component. Inlets,
+  /// which lie on caps, are exempt.
   bool inside = false;
 
-  /// no two edges meet but in a common end.
+  /// whether two edges meet at most in a common endpoint.
   bool embedded = false;
 
-  /// the cycles of each component are a basis of H1 of the solid inside it, by their linking
-  /// numbers with the handle loops: an integer matrix of determinant 1 or -1.
+  /// whether the cycles of each component are a basis of H1 of the solid inside it. The matrix of
+  /// their linking numbers with the handle loops proves this if its determinant is 1 or -1.
   bool basis = false;
 
-  /// an edge that is not strictly inside, by the numbers of its ends; and the face that it meets,
-  /// by its number, if it meets one.
+  /// An edge that is not certified to lie strictly inside, given by the numbers of its ends, and
+  /// the number of the face that it meets, if any.
   struct Edge_outside
   {
     std::pair<std::size_t, std::size_t> edge;
     std::optional<std::size_t> face;
   };
 
-  /// the edges that are not strictly inside, or cannot be said to be.
+  /// the edges that are not certified to lie strictly inside.
   std::vector<Edge_outside> edges_outside;
 
-  /// edges that meet other than in a common end, by the numbers of their ends: the first ones.
+  /// the first pairs of edges that meet other than in a common endpoint, by the numbers of their
+  /// ends.
   std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>>>
       edges_that_meet;
 
-  /// in words, what failed, a line for each failure; empty if nothing did.
+  /// what failed, as text with one line per failure; empty if nothing failed.
   std::string failure;
 
-  /// whether everything holds.
+  /// Returns whether all properties hold.
   explicit operator bool() const { return connected && inside && embedded && basis; }
 };
 

@@ -28,7 +28,8 @@ namespace CGAL::Handle_tunnel_loops {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-A closed geodesic that is shorter than all loops next to it, as `CGAL::throats()` finds them.
+A throat of a surface: a closed geodesic that is shorter than all neighboring loops. See
+`CGAL::throats()`.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Point_ the point type of the mesh
@@ -38,34 +39,39 @@ template <typename TriangleMesh,
               typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::value_type>
 struct Throat
 {
+  /// The type of the loop.
   using Loop = Loop_on_surface<TriangleMesh, Point_>;
+  /// The vertex descriptor of the mesh.
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  /// the loop, numbered by `pair_index()` as it comes out. It is of type `Loop_type::TUNNEL` if it
-  /// bounds outside and not inside, and else of type `Loop_type::HANDLE`.
+  /// the loop; its `pair_index()` is the position in the output. It has the type
+  /// `Loop_type::TUNNEL` if it bounds outside and not inside, and `Loop_type::HANDLE` otherwise.
   Loop loop;
 
-  /// an estimate of how much longer the loop must become before it slips away, to a shorter one or
-  /// to a point, or parts into shorter ones; infinite if it does not. See `CGAL::throats()`.
+  /// an estimate of the amount by which the loop must become longer before it can slide away to a
+  /// shorter loop or to a point, or split into shorter loops; infinite if it cannot. See
+  /// `CGAL::throats()`.
   double prominence = 0.;
 
-  /// whether the surface falls apart along it: it is null-homologous.
+  /// whether the loop separates its component, that is, it is null-homologous.
   bool is_separating = false;
 
-  /// whether it crosses no handle loop, counted with sign: then it bounds inside, if these do.
+  /// whether it crosses no handle loop, counted with sign. It then bounds inside if the handle
+  /// loops do.
   bool bounds_inside = false;
 
-  /// whether it crosses no tunnel loop, counted with sign: then it bounds outside, if these do.
+  /// whether it crosses no tunnel loop, counted with sign. It then bounds outside if the tunnel
+  /// loops do.
   bool bounds_outside = false;
 
-  /// the pair with a loop of the same class, up to the sense: its handle or its tunnel loop, as the
-  /// type of `loop` says.
+  /// the pair with a loop of the same class up to orientation: its handle loop or its tunnel loop,
+  /// according to the type of `loop`.
   std::optional<std::size_t> pair;
 
-  /// of the vertices asked for, those from a loop through which it comes.
+  /// the vertices of `through_vertices` whose loops led to this throat.
   std::vector<Vertex_descriptor> through;
 
-  /// that of a circle as long as the loop.
+  /// Returns the diameter of a circle of the length of the loop.
   double diameter() const { return loop.length() / CGAL_PI; }
 };
 

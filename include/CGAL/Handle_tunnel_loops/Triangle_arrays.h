@@ -42,19 +42,19 @@ namespace CGAL::Handle_tunnel_loops {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-A triangle mesh that is made of an array of points and an array of triangles, as they stand in
-files and in the memory of many programs, to compute with and not to change: only its points can
-be. It is an oriented 2-manifold, with or without boundary, of any number of components; vertices
-without faces are allowed. Vertices and faces are numbered as in the arrays.
+A triangle mesh made of an array of points and an array of triangles, as files and many programs
+store them. Its connectivity cannot be changed; its points can. The mesh is an oriented 2-manifold,
+with or without boundary, with any number of components. Vertices without faces are allowed.
+Vertices and faces have the numbers that they have in the arrays.
 
-Whoever has such arrays is spared a `CGAL::Surface_mesh`: this takes a third of the time to build
-and little more than half of the memory, 38 bytes per face with points of three doubles. What has
-the name of a member of `CGAL::Surface_mesh` means the same.
+If you have such arrays, use this class instead of `CGAL::Surface_mesh`: it takes a third of the
+time to build and little more than half of the memory (38 bytes per face with points of three
+doubles). Members that have the name of a member of `CGAL::Surface_mesh` have the same meaning.
 
-The halfedge from corner i of face f to the next one has the number 3 f + i; halfedges without a
-face come after those. An edge has the smaller one of the numbers of its halfedges.
+The halfedge from corner i of face f to the next corner has the number 3 f + i. Halfedges without a
+face follow after these. The number of an edge is the smaller number of its two halfedges.
 
-\tparam Point_ a point type, as `CGAL::Simple_cartesian<double>::Point_3`
+\tparam Point_ a point type, such as `CGAL::Simple_cartesian<double>::Point_3`
 
 \cgalModels `FaceListGraph`
 
@@ -69,33 +69,43 @@ template <typename Point_> class Triangle_arrays
   struct Face_kind;
 
 public:
+  /// The point type.
   using Point = Point_;
 
-  /// \name Numbers
-  /// Their member `idx()` says which, and they are made from it. By default they are of no element.
+  /// \name Descriptors
+  /// Each is constructed from a number, and its member `idx()` returns this number. A
+  /// default-constructed descriptor refers to no element.
   /// @{
+  /// The vertex descriptor.
   using Vertex_index = internal::Element_number<Vertex_kind>;
+  /// The halfedge descriptor.
   using Halfedge_index = internal::Element_number<Halfedge_kind>;
+  /// The edge descriptor.
   using Edge_index = internal::Edge_number<Halfedge_index>;
+  /// The face descriptor.
   using Face_index = internal::Element_number<Face_kind>;
   /// @}
 
-  /// a mesh without vertices.
+  /// Constructs a mesh without vertices.
   Triangle_arrays() = default;
 
   /*!
-  makes a mesh of points and triangles. Takes near linear time, and a memory of 24 bytes per face
-  meanwhile.
+  Constructs a mesh from points and triangles. The running time is near linear. The construction
+  needs 24 bytes of temporary memory per face.
 
-  \tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-    `Sequential_tag`, `Parallel_tag` and `Parallel_if_available_tag`. The result is the same.
-  \tparam TriangleRange a model of `RandomAccessContainer` whose elements have three positions in
-    the array of points, counterclockwise seen from outside, and the functions `size()` and
-    `operator[]`
+  \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+    `Sequential_tag`, `Parallel_tag` and `Parallel_if_available_tag`. The result does not depend on
+    the tag.
+  \tparam TriangleRange a model of `RandomAccessContainer`. Its elements have the functions `size()`
+    and `operator[]` and contain three positions in the array of points, counterclockwise when seen
+    from outside
 
-  \throws Invalid_mesh_exception if this is not an oriented 2-manifold of triangles; the message
+  \param points the points
+  \param triangles the triangles
+
+  \throws Invalid_mesh_exception if the triangles do not form an oriented 2-manifold; the message
     names an element
-  \throws std::out_of_range if a triangle names a point that is not there
+  \throws std::out_of_range if a triangle refers to a point that does not exist
   */
   template <typename ConcurrencyTag, typename TriangleRange>
   Triangle_arrays(ConcurrencyTag, std::vector<Point> points, const TriangleRange& triangles)
@@ -105,28 +115,39 @@ public:
             points_.size(),
             corners(internal::execution_of<ConcurrencyTag>(), triangles, points_.size())) {}
 
-  /// the same, sequentially.
+  /// Constructs a mesh from points and triangles sequentially.
   template <typename TriangleRange>
   Triangle_arrays(std::vector<Point> points, const TriangleRange& triangles)
       : Triangle_arrays(Sequential_tag(), std::move(points), triangles) {}
 
   /// \name Points
   /// @{
+  /// Returns the points, by number of vertex.
   const std::vector<Point>& points() const { return points_; }
+  /// Returns the point of a vertex.
   const Point& point(Vertex_index v) const { return points_[v.idx()]; }
+  /// Returns the point of a vertex, which you may change.
   Point& point(Vertex_index v) { return points_[v.idx()]; }
   /// @}
 
   /// \name Elements
   /// @{
+  /// Returns the number of vertices, including isolated ones.
   std::size_t number_of_vertices() const { return points_.size(); }
+  /// Returns the number of halfedges.
   std::size_t number_of_halfedges() const { return connectivity_.number_of_halfedges(); }
+  /// Returns the number of edges.
   std::size_t number_of_edges() const { return number_of_halfedges() / 2; }
+  /// Returns the number of faces.
   std::size_t number_of_faces() const { return connectivity_.number_of_faces(); }
 
+  /// Returns the range of all vertices.
   auto vertices() const { return Vertex_index::range(number_of_vertices()); }
+  /// Returns the range of all halfedges.
   auto halfedges() const { return Halfedge_index::range(number_of_halfedges()); }
+  /// Returns the range of all faces.
   auto faces() const { return Face_index::range(number_of_faces()); }
+  /// Returns the range of all edges.
   auto edges() const {
     const auto all = halfedges();
     const auto edge = [&](auto h) {
@@ -139,44 +160,54 @@ public:
 
   /// \name Connectivity
   /// @{
+  /// Returns the source vertex of a halfedge.
   Vertex_index source(Halfedge_index h) const {
     return Vertex_index(connectivity_.source(h.idx()));
   }
+  /// Returns the target vertex of a halfedge.
   Vertex_index target(Halfedge_index h) const {
     return Vertex_index(connectivity_.target(h.idx()));
   }
+  /// Returns the opposite halfedge.
   Halfedge_index opposite(Halfedge_index h) const {
     return Halfedge_index(connectivity_.opposite(h.idx()));
   }
+  /// Returns the next halfedge around the face, or around the boundary curve.
   Halfedge_index next(Halfedge_index h) const {
     return Halfedge_index(connectivity_.next(h.idx()));
   }
+  /// Returns the previous halfedge around the face, or around the boundary curve.
   Halfedge_index prev(Halfedge_index h) const {
     return Halfedge_index(connectivity_.previous(h.idx()));
   }
+  /// Returns the face of a halfedge, or a null descriptor on the boundary.
   Face_index face(Halfedge_index h) const {
     return is_border(h) ? Face_index() : Face_index(h.idx() / 3);
   }
+  /// Returns the edge of a halfedge.
   Edge_index edge(Halfedge_index h) const { return Edge_index(h, opposite(h)); }
-  /// the halfedge by which the edge was come upon.
+  /// Returns the halfedge through which the descriptor of the edge was obtained.
   Halfedge_index halfedge(Edge_index e) const { return e.halfedge(); }
-  /// the halfedge between the first two corners.
+  /// Returns the halfedge between the first two corners.
   Halfedge_index halfedge(Face_index f) const { return Halfedge_index(3 * f.idx()); }
-  /// a halfedge with this target: one without a face if there is one.
+  /// Returns a halfedge with target `v`; if `v` is on the boundary, one without a face.
   Halfedge_index halfedge(Vertex_index v) const {
     return Halfedge_index(connectivity_.arriving(v.idx()));
   }
-  /// the halfedge between two vertices, or none. Goes through the neighbors of `v`.
+  /// Returns the halfedge from `u` to `v`, or none. Visits the neighbors of `v`.
   Halfedge_index halfedge(Vertex_index u, Vertex_index v) const {
     return Halfedge_index(connectivity_.between(u.idx(), v.idx()));
   }
-  /// the target of the halfedge that has the number of the edge, and its source.
+  /// Returns the target (`i` is 0) or the source of the halfedge that has the number of the edge.
   Vertex_index vertex(Edge_index e, int i) const {
     const Halfedge_index h(e.idx());
     return i == 0 ? target(h) : source(h);
   }
+  /// Returns whether the halfedge has no face.
   bool is_border(Halfedge_index h) const { return connectivity_.is_border(h.idx()); }
+  /// Returns whether the edge is on the boundary.
   bool is_border(Edge_index e) const { return is_border(opposite(Halfedge_index(e.idx()))); }
+  /// Returns whether the vertex has no face.
   bool is_isolated(Vertex_index v) const { return halfedge(v) == Halfedge_index(); }
   /// @}
 
@@ -208,7 +239,7 @@ private:
     reference operator[](Vertex_index v) const { return mesh->point(v); }
   };
 
-  // Throws where there are none.
+  // Returns the corners of the triangles. Throws if a triangle is not valid.
   template <typename TriangleRange>
   static internal::Uninitialized_vector<Index> corners(internal::Execution execution,
                                                        const TriangleRange& triangles,
@@ -244,7 +275,7 @@ private:
   std::vector<Point> points_;
   internal::Triangle_connectivity connectivity_;
 
-  // The functions of the concept.
+  // The functions of the concept `FaceListGraph`.
 
   friend boost::graph_traits<Triangle_arrays>;
   friend boost::property_map<Triangle_arrays, vertex_point_t>;

@@ -32,53 +32,57 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes whether the loops of `pairs` are closed curves on `tm` that form a basis of the first
-homology group with integer coefficients, whether the loops of each pair cross once, and which
-of them bound inside and outside the solid that the surface encloses.
+Certifies pairs of loops. It checks whether the loops of `pairs` are closed curves on `tm`, whether
+they form a basis of the first homology group with integer coefficients, whether the loops of each
+pair cross once, and on which side of the surface each loop bounds.
 
-The boundary curves of a surface with boundary are closed by caps, which no loop enters. If g is the
-genus and b > 0 the number of boundary curves of a component, H1 of the surface has the rank 2g + b
-- 1, and is mapped onto H1 of the capped surface with the classes of the boundary curves as kernel,
-of which all but one are independent. So the loops are a basis of H1 of the capped surface if and
-only if they are one of H1 of the surface together with all boundary curves but one of each
-component. With linking numbers, a loop bounds inside if, pushed behind the faces, it bounds a
-surface that meets none of the given one. Behind the faces is, where there is a boundary, as they
-are oriented.
+The boundary curves of a surface are closed by caps, which no loop enters. Let a component have
+genus g and b > 0 boundary curves. H1 of the component has rank 2g + b - 1. It maps onto H1 of the
+capped component; the classes of the boundary curves generate the kernel, and all but one of them
+are independent. The loops are therefore a basis of H1 of the capped surface if and only if they
+form a basis of H1 of the surface together with all boundary curves except one per component. With
+linking numbers, a loop bounds inside if, after being pushed behind the faces, it bounds a surface
+that does not meet the given one. On a surface with boundary, the orientation of the faces defines
+what is behind them.
 
-The loops are moved onto the edges, and the mesh is cut along them. The intersection numbers of the
-loops with the closed curves of a tree-cotree decomposition of the dual graph that crosses them as
-rarely as possible are integers; the loops are a basis if and only if these vectors span all integer
-vectors, which integer elimination decides. No floating-point number plays a part in this, and the
-surface need not be connected. Almost linear in the size of the mesh where the loops are short.
+To check the basis, the loops are moved onto the edges, and the mesh is cut along them. A tree-
+cotree decomposition of the dual graph that crosses the loops as rarely as possible gives closed
+curves, and their intersection numbers with the loops are integers. The loops are a basis if and
+only if these vectors span all integer vectors, which integer elimination decides. The check uses no
+floating-point numbers, and the surface may have several components. The complexity is almost linear
+in the size of the mesh if the loops are short.
 
-What is independent of what: whether the loops are a basis is decided by code that shares no
-algorithm with what finds loops, only how work is dealt out to threads; where there is a boundary,
-also the arrays of the mesh, which have its caps. That the loops of a pair
-cross once, and what is said of inside and outside, rest on one computation of intersection and
-linking numbers, which finds no loops either: here, of these loops on this mesh; in a solver, of the
-loops that became these, on the arrays. The names are not checked independently of the solver:
-it names the loops by the same linking numbers and the same function that decides here whether they
-have each other's names. So this part of the check is one for loops that come from elsewhere.
+The parts of the certificate depend on the solver to different degrees:
 
-Linking numbers are counted in a projection by exact predicates on the coordinates, taken as doubles
-(those of an exact kernel are rounded; see `Handle_tunnel_loops::Loop_linking`): near linear in the
-total length of the loops and the number of places where one is seen to pass over another. Their
-difference with the transpose is compared with the intersection numbers; where these disagree or
-places coincide that should be apart, because the surface crosses or touches itself, the loops
-concerned are reported as undecided. That the surface nowhere crosses itself is not checked; where
-it does, away from the loops, linking numbers remain what they are, but there is no inside for the
-loops to bound in.
+- *Basis.* The check shares no algorithm with the code that finds loops, except the distribution of
+  work to threads and, for a surface with boundary, the arrays of the mesh, which contain its caps.
+- *Crossings and sides.* One computation of intersection numbers and linking numbers decides whether
+  the loops of a pair cross once and on which sides loops bound. This computation does not find
+  loops either. This function applies it to the given loops on the given mesh; a solver applies it
+  to the loops on its arrays before it converts them.
+- *Names.* The names are not independent of the solver. It names the loops by the same linking
+  numbers and with the same function that decides here whether handle loop and tunnel loop are
+  swapped. This check is useful for loops of other origin.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation; possible values are
-  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the
-  same.
-\tparam TriangleMesh a model of `FaceListGraph`, a triangle mesh with or without boundary
+Linking numbers are counted in a projection, with exact predicates on the coordinates, taken as
+doubles (coordinates of an exact kernel are rounded; see `Handle_tunnel_loops::Loop_linking`). The
+complexity is near linear in the total length of the loops and the number of crossings in the
+projection. The difference between the matrix of linking numbers and its transpose is compared with
+the intersection numbers. If these disagree, or if places coincide that should be separate, because
+the surface crosses or touches itself, the loops concerned are reported as undecided. The function
+does not check that the surface does not cross itself. If it crosses itself away from the loops, the
+linking numbers remain valid, but there is no inside in which the loops could bound.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
+\tparam TriangleMesh a model of `FaceListGraph`
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param pairs the loops
-\param np named parameters
+\param tm a triangle mesh with or without boundary
+\param pairs the pairs of loops
+\param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_index_map}
@@ -97,23 +101,25 @@ loops to bound in.
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
   \cgalParamNBegin{solver_options}
-    \cgalParamDescription{of which `do_compute_linking` is looked at: whether to compute linking
-      numbers}
+    \cgalParamDescription{the options, of which only `do_compute_linking` is used: whether to
+      compute linking numbers}
     \cgalParamType{`Handle_tunnel_loops::Solver_options`}
-    \cgalParamDefault{they are computed}
+    \cgalParamDefault{linking numbers are computed}
   \cgalParamNEnd
   \cgalParamNBegin{basis_kind}
-    \cgalParamDescription{what the loops are meant to be: of the shortest basis it is reported, and
-      not required, that pairs cross once and that names are right}
+    \cgalParamDescription{the intended kind of basis. For `SHORTEST`, crossings and names are
+      reported and not required}
     \cgalParamType{`Handle_tunnel_loops::Basis_kind`}
     \cgalParamDefault{`Handle_tunnel_loops::Basis_kind::PURE`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\return the certificate
+
 \pre `tm` is a 2-manifold triangle mesh.
 
-\throws Handle_tunnel_loops::Invalid_mesh_exception if a face of `tm` is no triangle, or if `tm` has
-  a boundary and is no oriented 2-manifold with finite coordinates
+\throws Handle_tunnel_loops::Invalid_mesh_exception if a face of `tm` is not a triangle, or if `tm`
+  has a boundary and is not an oriented 2-manifold with finite coordinates
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename TriangleMesh,

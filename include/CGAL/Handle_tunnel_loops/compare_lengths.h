@@ -25,15 +25,17 @@ namespace CGAL {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-compares the lengths of two loops on `tm`, exactly: as the closed polylines through the places
-`source(halfedge) + ratio * (target(halfedge) - source(halfedge))` of their steps, with ratios and
-coordinates taken as doubles (those of an exact kernel are rounded). Neither
-`Loop_on_surface::points()` nor `Loop_on_surface::length()` plays a part in it: these are rounded.
+Compares the exact lengths of two loops on `tm`. The length of a loop is that of the closed polyline
+through the points `source(halfedge) + ratio * (target(halfedge) - source(halfedge))` of its steps,
+with ratios and coordinates taken as doubles (coordinates of an exact kernel are rounded). The
+function does not use `Loop_on_surface::points()` and `Loop_on_surface::length()`, which are
+rounded.
 
-The lengths are sums of square roots of rational numbers. They are computed with intervals first, in
-linear time; where these overlap, the sign of their difference is computed with as many digits as it
-needs. Segments of the same length in both loops cancel in time n log n. If the sums are equal
-nevertheless, that is found by comparing the remaining segments with each other, in quadratic time.
+The lengths are sums of square roots of rational numbers. The function first computes them with
+interval arithmetic in linear time. If the intervals overlap, it computes the sign of the difference
+with as many digits as necessary. Segments of equal length in both loops cancel in
+\f$ O(n \log n) \f$ time. If the sums are still equal, the function decides this by comparing the
+remaining segments with each other in quadratic time.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Point the point type of the loops
@@ -42,7 +44,7 @@ nevertheless, that is found by comparing the remaining segments with each other,
 \param a the first loop
 \param b the second loop
 \param tm the mesh
-\param np named parameters
+\param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -52,10 +54,10 @@ nevertheless, that is found by comparing the remaining segments with each other,
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `CGAL::SMALLER` if `a` is shorter than `b`, `CGAL::EQUAL` if they are equally long,
+\return `CGAL::SMALLER` if `a` is shorter than `b`, `CGAL::EQUAL` if both have the same length, and
   `CGAL::LARGER` if `a` is longer
 
-\pre the coordinates of `tm` are finite.
+\pre The coordinates of `tm` are finite.
 
 \sa `CGAL::length_interval()`
 */
@@ -73,11 +75,12 @@ Comparison_result compare_lengths(const Loop_on_surface<TriangleMesh, Point>& a,
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes an interval that holds the length of a loop on `tm`: that of the closed polyline through
-the places `source(halfedge) + ratio * (target(halfedge) - source(halfedge))` of its steps, with
-ratios and coordinates taken as doubles (those of an exact kernel are rounded). It is as wide as
-rounding makes it: for each step some \f$ 10^{-16} \f$ of its coordinates and of the length. The
-complexity is linear.
+Computes an interval that contains the exact length of a loop on `tm`. The length of a loop is that
+of the closed polyline through the points
+`source(halfedge) + ratio * (target(halfedge) - source(halfedge))` of its steps, with ratios and
+coordinates taken as doubles (coordinates of an exact kernel are rounded). The width of the interval
+is due to rounding: for each step, it is some \f$ 10^{-16} \f$ times the coordinates and the length.
+The complexity is linear.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Point the point type of the loop
@@ -85,7 +88,7 @@ complexity is linear.
 
 \param loop the loop
 \param tm the mesh
-\param np named parameters
+\param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -95,10 +98,10 @@ complexity is linear.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the ends of the interval, the smaller one first; the larger one is infinite where a square
-  is beyond the range of `double`
+\return the lower and the upper end of the interval; the upper end is infinite if a square exceeds
+  the range of `double`
 
-\pre the coordinates of `tm` are finite.
+\pre The coordinates of `tm` are finite.
 
 \sa `CGAL::compare_lengths()`
 */

@@ -21,11 +21,11 @@
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// What makes a mesh unfit for the computation.
+/// The defects for which a mesh is rejected.
 enum class Mesh_defect {
   EMPTY,                    ///< the mesh has no face
   NOT_TRIANGULATED,         ///< a face is not a triangle
-  BOUNDARY_EDGE,            ///< no edge has more than one face: a file without common vertices
+  BOUNDARY_EDGE,            ///< no two faces share an edge: the file has no common vertices
   NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
   NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
   INCONSISTENT_ORIENTATION, ///< two faces traverse their common edge in the same direction
@@ -36,8 +36,8 @@ enum class Mesh_defect {
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when the mesh is not an oriented 2-manifold triangle mesh with finite
-/// coordinates. The message names the element in the numbering of the caller's index maps.
+/// Thrown if the mesh is not an oriented 2-manifold triangle mesh with finite coordinates. The
+/// message names the element by the indices of the caller's index maps.
 class Invalid_mesh_exception : public std::invalid_argument
 {
 public:
@@ -48,11 +48,11 @@ public:
       , defect_(defect)
       , vertices_(std::move(vertices)) {}
 
-  /// the kind of the defect.
+  /// Returns the kind of the defect.
   Mesh_defect defect() const { return defect_; }
 
-  /// the indices of the vertices of the offending element: one for a vertex, two for an edge,
-  /// all of a face, none where the defect concerns the whole mesh.
+  /// Returns the indices of the vertices of the offending element: one for a vertex, two for an
+  /// edge, all of a face; none if the defect concerns the whole mesh.
   const std::vector<std::size_t>& vertices() const { return vertices_; }
 
 private:
@@ -61,7 +61,7 @@ private:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when the function given for a Reeb graph is infinite or not a number at a vertex.
+/// Thrown if the function of a Reeb graph is infinite or not a number at a vertex.
 class Invalid_function_exception : public std::invalid_argument
 {
 public:
@@ -69,7 +69,7 @@ public:
       : std::invalid_argument("the function is not finite: vertex " + std::to_string(vertex))
       , vertex_(vertex) {}
 
-  /// the index of the first such vertex.
+  /// Returns the index of the first such vertex.
   std::size_t vertex() const { return vertex_; }
 
 private:
@@ -77,8 +77,8 @@ private:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when the loops found do not pass their certificate. It signals a defect of the
-/// package, never of the input; no loop has been written when it is thrown.
+/// Thrown if the loops that were found fail their certificate. This indicates a defect of the
+/// package, never of the input. No loop has been written.
 class Uncertified_loops_exception : public std::logic_error
 {
 public:
@@ -86,8 +86,8 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when no cut is as the caller wants it: the edges to avoid are in the way of every one,
-/// or the edges to keep cut off a part of the surface.
+/// Thrown if no cut satisfies the constraints: every cut contains an edge of infinite weight, a
+/// constrained edge has infinite weight, or the constrained edges separate a part of the surface.
 class No_cut_exception : public std::invalid_argument
 {
 public:
@@ -95,8 +95,8 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when a cut does not open every component to one disk. It signals a defect of the
-/// package, never of the input; nothing has been written when it is thrown.
+/// Thrown if a cut does not open every component to one disk. This indicates a defect of the
+/// package, never of the input. Nothing has been written.
 class Uncertified_cut_exception : public std::logic_error
 {
 public:
@@ -104,8 +104,8 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when a rule of the paper that is followed to the letter (`Literal_rules`) leads
-/// nowhere; no loop has been written. Other rules, those by default, may find the answer.
+/// Thrown if a rule of the paper that is followed literally (`Literal_rules`) finds no result. No
+/// loop has been written. The default rules may find a result.
 class Literal_failure_exception : public std::runtime_error
 {
 public:
@@ -114,7 +114,7 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when the `callback` asked to stop; no loop has been written.
+/// Thrown if the `callback` returned `false`. No loop has been written.
 class Interrupted_exception : public std::runtime_error
 {
 public:
@@ -123,7 +123,7 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when a computation on a CUDA device fails; the message is that of the CUDA runtime.
+/// Thrown if a computation on a CUDA device fails. The message is that of the CUDA runtime.
 class Device_exception : public std::runtime_error
 {
 public:
@@ -131,7 +131,7 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown by a computation with `Cuda_tag` where there is no CUDA device, or no driver for it.
+/// Thrown by a computation with `Cuda_tag` if there is no CUDA device or no driver for it.
 class No_device_exception : public Device_exception
 {
 public:
@@ -139,7 +139,7 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// is thrown when the memory of the device does not suffice; the mesh and the solver are as before.
+/// Thrown if the device memory is too small. The mesh and the solver are unchanged.
 class Out_of_device_memory_exception : public Device_exception
 {
 public:
@@ -149,9 +149,9 @@ public:
       , needed_(needed)
       , free_(free) {}
 
-  /// the bytes that are needed, as far as they are known.
+  /// Returns the number of bytes needed, as far as it is known.
   std::size_t bytes_needed() const { return needed_; }
-  /// the bytes that are free.
+  /// Returns the number of free bytes.
   std::size_t bytes_free() const { return free_; }
 
 private:

@@ -25,34 +25,33 @@
 #include <vector>
 
 /// \file loops_as_edges.h
-/// Loops on a mesh as closed walks on its edges.
+/// Converts loops on a mesh to closed walks along its edges.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-moves a loop onto the edges of its mesh: writes a closed walk of halfedges in the homotopy class of
-the loop, each halfedge beginning where the one before it ends.
+Moves a loop onto the edges of its mesh. Writes a closed walk of halfedges in the homotopy class of
+the loop, where each halfedge begins at the target of the one before.
 
-Each place of the loop moves to one end of its edge. Of all these walks the shortest is taken; then
-it goes around a vertex wherever that is shorter, and around those that it passes twice, if there is
-room. So almost always it is simple; where it is not, as on a tube three edges around that a loop
-passes twice, some vertex is passed more than once. The time is proportional to the length of
-the loop, whatever the size of the mesh.
+Each point of the loop moves to one end of its edge. The function takes the shortest of all these
+walks. It then reroutes the walk around a vertex wherever this shortens it, and around vertices that
+the walk passes twice, if there is room. The walk is therefore almost always simple. It may pass a
+vertex more than once where this is impossible, for example on a tube with three edges around that
+the loop passes twice. The running time is proportional to the length of the loop and does not
+depend on the size of the mesh.
 
-\tparam TriangleMesh a model of `HalfedgeGraph` with triangles as faces, and no boundary near the
-  loop
-\tparam Loop `Loop_on_surface<TriangleMesh>`, or a type with a member function `steps()` like its
-  own
+\tparam TriangleMesh a model of `HalfedgeGraph` with triangles as faces
+\tparam Loop `Loop_on_surface<TriangleMesh>`, or a type with the same member function `steps()`
 \tparam OutputIterator a model of `OutputIterator` that accepts
   `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param loop the loop
 \param tm the mesh
-\param out the iterator that the halfedges are written to; nothing if the loop is contracted by
-  these moves
+\param out the output iterator that receives the halfedges; nothing is written if these moves
+  contract the loop
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -65,7 +64,9 @@ the loop, whatever the size of the mesh.
 
 \return `out`, past the last halfedge written
 
-\throws std::invalid_argument if consecutive places of the loop have no common face
+\pre `tm` has no boundary close to the loop.
+
+\throws std::invalid_argument if consecutive points of the loop have no common face
 
 \sa `mark_loop_edges()`
 */
@@ -86,7 +87,7 @@ OutputIterator loop_to_halfedges(const Loop& loop,
 
 namespace Handle_tunnel_loops::internal {
 
-/// calls `f` for each loop of a pair, or for a loop.
+/// Calls `f` for both loops of a pair, or for a single loop.
 template <typename TriangleMesh, typename Point, typename Function>
 void for_each_loop_of(const Handle_tunnel_pair<TriangleMesh, Point>& pair, const Function& f) {
   f(pair.handle());
@@ -102,13 +103,13 @@ void for_each_loop_of(const Loop& loop, const Function& f) {
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-marks the edges of loops that `loop_to_halfedges()` finds: sets the property map to `true` for them,
-and leaves it as it is for other edges. So marked, they are what the property map
-`edge_is_constrained_map` of other functions takes: a selection for display, or walls for
-`Polygon_mesh_processing::connected_components()`.
+Marks the edges of loops as `loop_to_halfedges()` computes them: sets the property map to `true` for
+these edges and leaves it unchanged for all others. You can pass the map as the parameter
+`edge_is_constrained_map` of other functions, for example as barriers of
+`Polygon_mesh_processing::connected_components()`, or use it as a selection for display.
 
-\tparam LoopRange a range of `Loop_on_surface<TriangleMesh>` or of
-  `Handle_tunnel_pair<TriangleMesh>`, of which both loops are taken
+\tparam LoopRange a range of `Loop_on_surface<TriangleMesh>`, or of
+  `Handle_tunnel_pair<TriangleMesh>` to use both loops of each pair
 \tparam TriangleMesh a model of `HalfedgeGraph` with triangles as faces
 \tparam EdgeMarkMap a model of `WritablePropertyMap` with the edges of the mesh as keys and `bool`
   as value type
@@ -117,7 +118,9 @@ and leaves it as it is for other edges. So marked, they are what the property ma
 \param loops the loops
 \param tm the mesh
 \param edge_mark the property map
-\param np named parameters: `vertex_point_map`, as of `loop_to_halfedges()`
+\param np an optional sequence of named parameters: `vertex_point_map`, as in `loop_to_halfedges()`
+
+\throws std::invalid_argument if consecutive points of a loop have no common face
 
 \sa `loop_to_halfedges()`
 */
@@ -141,26 +144,25 @@ void mark_loop_edges(const LoopRange& loops,
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-makes loops edges of their mesh: divides the faces that they cross along them, and into triangles
-again. The points of the loops become vertices as they are; where two loops cross in a face, there
-is a new vertex. Loops may pass vertices, run along edges, and go through a face several times.
+Makes loops edges of their mesh: divides the faces that they cross, and triangulates the parts. The
+points of the loops become vertices without moving. Where two loops cross in a face, a vertex is
+added. Loops may pass through vertices, run along edges, and pass through a face several times.
 
-The mesh stays closed and a manifold, with the same Euler characteristic: only edges and faces are
-split. In exact terms new vertices lie on the surface only up to rounding.
+A closed mesh stays closed. The mesh remains a manifold and has the same Euler characteristic,
+because edges and faces are only split. The new vertices lie on the original surface up to rounding.
 
-Loops that were not passed refer to halfedges that may be others afterwards: all loops have to be
-passed at once.
+Pass all loops in one call: loops that are not passed refer to halfedges that may change.
 
-\tparam LoopRange a range of `Loop_on_surface<TriangleMesh>` or of
-  `Handle_tunnel_pair<TriangleMesh>`, of which both loops are taken
+\tparam LoopRange a range of `Loop_on_surface<TriangleMesh>`, or of
+  `Handle_tunnel_pair<TriangleMesh>` to use both loops of each pair
 \tparam TriangleMesh a model of `MutableFaceGraph` with triangles as faces
 \tparam OutputIterator a model of `OutputIterator` that accepts
   `std::vector<boost::graph_traits<TriangleMesh>::%halfedge_descriptor>`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param loops the loops
-\param tm the mesh
-\param out the iterator that the closed walk of each loop is written to, in their order
+\param tm the mesh; the function modifies it
+\param out the output iterator that receives the closed walk of each loop, in the order of the loops
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -170,14 +172,14 @@ passed at once.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{is set to `true` for the edges of the loops, and left as it is for others}
+    \cgalParamDescription{receives `true` for the edges of the loops; unchanged for all others}
     \cgalParamType{a class model of `WritablePropertyMap` with the edges of `tm` as keys and `bool`
       as value type}
     \cgalParamDefault{unused}
   \cgalParamNEnd
   \cgalParamNBegin{face_to_face_map}
-    \cgalParamDescription{is given, for each part of a face that was divided, that face, which is
-      one of the parts}
+    \cgalParamDescription{receives, for each part of a face that was divided, the original face,
+      which remains in the mesh as one of the parts}
     \cgalParamType{a class model of `WritablePropertyMap` with the faces of `tm` as keys and as
       values}
     \cgalParamDefault{unused}
@@ -186,8 +188,8 @@ passed at once.
 
 \return `out`, past the last walk written
 
-\throws std::invalid_argument if consecutive places of a loop have no common face; the mesh has not
-  been changed then
+\throws std::invalid_argument if consecutive points of a loop have no common face; the mesh is
+  unchanged
 
 \sa `loop_to_halfedges()`
 */

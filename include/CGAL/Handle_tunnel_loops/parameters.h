@@ -16,10 +16,10 @@
 #include <CGAL/version.h>
 
 /// \file parameters.h
-/// The named parameters that only this package has, and those that \cgal has not had since 5.5.
-/// They begin a chain: `parameters::seed_vertex(v).callback(f)`.
+/// The named parameters of this package, and those that \cgal does not have in version 5.5. They
+/// must come first in a sequence: `parameters::seed_vertex(v).callback(f)`.
 
-// CGAL declares its parameters in one central list, by a tag and the same overloads per name.
+// CGAL declares its parameters in one central list: for each, a tag and the same overloads.
 #define CGAL_HANDLE_TUNNEL_LOOPS_ADD_BEFORE(TAG, NAME)                                             \
   namespace parameters {                                                                           \
   template <typename T, typename Base, typename Tag, typename Next>                                \

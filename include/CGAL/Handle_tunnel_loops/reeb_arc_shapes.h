@@ -21,41 +21,41 @@
 #include <vector>
 
 /// \file reeb_arc_shapes.h
-/// How thick a surface is along the arcs of its Reeb graph.
+/// Computes the thickness of a surface along the arcs of its Reeb graph.
 
 namespace CGAL {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// How thick a surface is along the arcs of its Reeb graph, and which arcs lie on cycles.
+/// The thickness of a surface along the arcs of its Reeb graph, and which arcs lie on cycles.
 struct Reeb_arc_shapes
 {
-  std::vector<double> girths; ///< by arc: see `reeb_arc_girths()`
-  /// by arc, and by point of its polyline: the mean distance of the vertices that are nearest to
-  /// it; where there are none, what is between those before and after. `Reeb_arc::radii`, if there
-  /// are any.
+  std::vector<double> girths; ///< by arc: the girth, see `reeb_arc_girths()`
+  /// by arc, and by point of its polyline: the mean distance to the vertices nearest to the point,
+  /// interpolated between adjacent points if there are none. If `Reeb_arc::radii` is not empty, it
+  /// is used instead.
   std::vector<std::vector<double>> radii;
-  std::vector<bool> is_on_cycle; ///< by arc: whether the graph stays connected without it
+  std::vector<bool> is_on_cycle; ///< by arc: whether the graph remains connected without it
 };
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes for each arc of a Reeb graph how long its contour is half way, by the number of its
-vertices. Where an arc goes down and up again, or has had limbs, there are several at that level:
-then it is the longest.
+Computes the girth of each arc of a Reeb graph: the length of the contour at the middle of the arc,
+counted by its vertices. If there are several contours at this level, because the arc goes down and
+up again or because limbs were removed, the girth is the length of the longest one.
 
 \tparam TriangleMesh a model of `FaceListGraph`
-\tparam Graph a `Reeb_graph<TriangleMesh, Point>`
+\tparam Graph `Reeb_graph<TriangleMesh, Point>`
 \tparam VertexArcMap a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
   numbers as values
 \tparam VertexValueMap a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
   `double` as values
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param graph its graph, as `reeb_graph()` or `reeb_graph_of_function()` computed it
-\param vertex_arc what these wrote to the named parameter `vertex_arc_map`
-\param vertex_value what they wrote to `vertex_value_map`
+\param tm a triangle mesh with or without boundary
+\param graph the Reeb graph of `tm`, computed by `reeb_graph()` or `reeb_graph_of_function()`
+\param vertex_arc the map that this function has filled as the named parameter `vertex_arc_map`
+\param vertex_value the map that it has filled as the named parameter `vertex_value_map`
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -71,7 +71,7 @@ then it is the longest.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the lengths, by `Reeb_arc::index`
+\return the girths, indexed by `Reeb_arc::index`
 */
 template <typename TriangleMesh,
           typename Graph,
@@ -95,10 +95,24 @@ std::vector<double> reeb_arc_girths(const TriangleMesh& tm,
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-computes how thick a surface is along the arcs of its Reeb graph, and which of them lie on cycles.
-What is given is the same as for `reeb_arc_girths()`.
+Computes the thickness of a surface along the arcs of its Reeb graph, and which arcs lie on cycles.
 
-\return the shapes, by `Reeb_arc::index`
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam Graph `Reeb_graph<TriangleMesh, Point>`
+\tparam VertexArcMap a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
+  numbers as values
+\tparam VertexValueMap a class model of `ReadablePropertyMap` with the vertices of `tm` as keys and
+  `double` as values
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tm a triangle mesh with or without boundary
+\param graph the Reeb graph of `tm`, computed by `reeb_graph()` or `reeb_graph_of_function()`
+\param vertex_arc the map that this function has filled as the named parameter `vertex_arc_map`
+\param vertex_value the map that it has filled as the named parameter `vertex_value_map`
+\param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map`, as in
+  `reeb_arc_girths()`
+
+\return the shapes, indexed by `Reeb_arc::index`
 */
 template <typename TriangleMesh,
           typename Graph,

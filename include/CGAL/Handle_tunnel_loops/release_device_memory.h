@@ -17,18 +17,18 @@
 namespace CGAL::Handle_tunnel_loops {
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// So many bytes of a device's memory are kept, at most, when a computation with `Cuda_tag` or
-/// `Cuda_if_available_tag` has ended, so that the next one finds them ready for use.
+/// The maximal number of bytes of device memory that remain allocated after a computation with
+/// `Cuda_tag` or `Cuda_if_available_tag`, for reuse by the next computation.
 constexpr std::size_t kept_device_bytes = std::size_t(256) << 20;
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-gives back all of the devices' memory that computations with `Cuda_tag` or `Cuda_if_available_tag`
-have left behind for later ones; what computations still use, when they end. It is to be called
-before `cudaDeviceReset()`, and may be called at any time, by any thread.
+Releases all device memory that computations with `Cuda_tag` or `Cuda_if_available_tag` keep for
+later computations. Memory that is still in use is released when its computation ends. Call this
+function before `cudaDeviceReset()`. Any thread may call it at any time.
 
-Defined in the library `Handle_tunnel_loops::cuda`.
+The library `Handle_tunnel_loops::cuda` defines this function.
 */
 void release_device_memory();
 

@@ -31,24 +31,26 @@
 #include <vector>
 
 /// \file round_bores.h
-/// The bores that tunnel loops go around: diameters and axes.
+/// Finds the bores that tunnel loops go around, with their diameters and axes.
 
 namespace CGAL {
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-finds for each pair of loops the round bore that its tunnel loop goes around, if that is one: the
-faces that are reached from the loop without passing a convex edge, bounded by mouths of which one
-at least is flat, hold a cylinder, all around. Its diameter is that of the circle through the
-vertices of its wall, so that it is right however few sides the bore has, if six at least. Of a bore
-with counterbores it is that of the narrowest part.
+Finds, for each pair of loops, the round bore that its tunnel loop goes around, if there is one. A
+bore is round if the faces that can be reached from the loop without crossing a convex edge contain
+a cylinder all around, and end at mouths of which at least one is planar. The diameter is that of
+the circle through the vertices of the wall, so it is exact for any number of sides from six on. For
+a bore with counterbores, it is the diameter of the narrowest part.
 
-It is near linear in the size of the mesh and of the walls of the bores; and linear in the length
-of the loops where none looks as if it went around a bore: most of the faces that a tight loop
-crosses there lie along the axis of the loop.
+The running time is near linear in the size of the mesh and of the walls of the bores. It is linear
+in the length of the loops if no loop looks like that of a bore: most faces that a tight loop around
+a bore crosses are parallel to the axis of the loop.
 
-\tparam ConcurrencyTag enables sequential versus parallel computation; the result is the same
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+  `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
+  not depend on the tag.
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam PairRange a range of `Handle_tunnel_pair<TriangleMesh>`
 \tparam OutputIterator a model of `OutputIterator` that accepts
@@ -56,9 +58,10 @@ crosses there lie along the axis of the loop.
   mesh
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tm the mesh
-\param pairs pairs of loops on it, such as `handle_tunnel_loops()` writes
-\param out the iterator that the bores are written to, one for each pair, in their order
+\param tm a triangle mesh with or without boundary
+\param pairs pairs of loops on `tm`, for example those that `handle_tunnel_loops()` writes
+\param out the output iterator that receives one entry for each pair, in the order of the pairs; the
+  entry is empty if there is no round bore
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
@@ -66,7 +69,7 @@ crosses there lie along the axis of the loop.
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
-    \cgalParamExtra{coordinates are taken as doubles}
+    \cgalParamExtra{Coordinates are taken as doubles.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
@@ -80,13 +83,12 @@ crosses there lie along the axis of the loop.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `out`, past the last bore written
+\return `out`, past the last entry written
 
 \pre `tm` is an oriented 2-manifold triangle mesh, with or without boundary, with finite
-  coordinates, and the loops are on it.
+  coordinates, and the loops lie on it.
 
-\sa `remove_handles()`, which takes the diameters of bores in
-  `Handle_tunnel_loops::Removal_options`
+\sa `remove_handles()`, which can select bores by diameter (`Handle_tunnel_loops::Removal_options`)
 \sa `loop_shape()`
 */
 template <typename ConcurrencyTag = Sequential_tag,
