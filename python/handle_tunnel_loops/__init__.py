@@ -1,15 +1,15 @@
-"""Handle and tunnel loops of surfaces, and what they are good for.
+"""Handle and tunnel loops of surfaces, and tools built on them.
 
 A closed surface of genus g, like a mug (g = 1) or a sponge (g in the thousands), has g handle loops,
-each of which bounds a disc-like surface in the solid inside, and g tunnel loops, each of which bounds
-one in the space outside. This package finds short ones, and proves that they are a basis of the first
-homology group H1(S; Z) of the surface before it returns them. A surface with boundary curves has loops
-as well; with all curves but one of each component they are a basis.
+each of which bounds a surface in the solid inside, and g tunnel loops, each of which bounds a surface
+in the space outside. This package finds short ones. Before it returns them, it proves that they are a
+basis of the first homology group H1(S; Z) of the surface. A surface with boundary curves also has such
+loops; together with the boundary curves, except one of each component, they are a basis.
 
-Meshes are arrays: ``V``, the coordinates of the vertices, of shape (n, 3) and any real type, in any unit
-of length; and ``F``, three numbers of vertices for each face, of shape (m, 3) and any integer type,
-counting from 0, with all faces oriented alike. Nothing of the caller's is changed. Instead of ``V`` and
-``F``, one mesh object of meshio, trimesh or PyVista is accepted.
+A mesh is two arrays. ``V`` has the coordinates of the vertices: shape (n, 3), any real type, any unit of
+length. ``F`` has the three vertices of each face: shape (m, 3), any integer type, counted from 0, with
+all faces oriented consistently. The functions never change their arguments. Instead of ``V`` and ``F``,
+you can pass one mesh object of meshio, trimesh or PyVista.
 
     >>> import handle_tunnel_loops as htl
     >>> V, F = htl.generate("torus", faces=2000)
@@ -23,30 +23,29 @@ Functions
 
     loops           the handle and tunnel loops of a mesh
     measure         how thick handles are, and how wide their holes
-    removal_costs   what it would take to remove each handle
-    certify         what has been proved of loops
-    throats         all narrow places of a mesh
-    curve_skeleton  lines in the middle of the solid inside a mesh, with radii and a proof
+    removal_costs   what removing each handle would change
+    certify         a certificate for loops on a mesh
+    throats         all throats of a mesh
+    curve_skeleton  the curve skeleton of the solid inside a mesh, with radii and a certificate
     reeb            the Reeb graph of a function on a mesh
-    clean           a closed solid, made of a mesh with something wrong
+    clean           a closed solid from a defective mesh
     remove_handles  a mesh without some of its handles
     cut_to_disk     a mesh cut open along a short graph, for parametrization
-    cut_edges       the edges of that cut, as seams of textures
-    dual_cuts       for each loop, a cut that crosses it once, for circuits
-    html            a page in which the mesh can be turned, with its loops, its skeleton or Reeb graph, a cut, or
-                    without some of its handles
-    picture         the same as a picture, if has_pictures is true of the build
+    cut_edges       the edges of that cut, as texture seams
+    dual_cuts       for each loop, a cut that crosses it once, for field computations
+    html            an interactive page of a mesh with its loops, skeleton, Reeb graph or cut, or of a removal
+    picture         the same as an image, if has_pictures is True for the build
     survey          a table of many meshes
-    generate        a mesh to try things on
+    generate        a test mesh of known genus
     read            the arrays of a mesh file
     write           a mesh file
-    repair          a surface from arrays that are none
+    repair          an oriented manifold from defective arrays
 
-Errors: `MeshError` (a ValueError) names the faces or vertices that keep arrays from being a surface, and
-what helps; ValueError and TypeError are about other arguments, OSError is about files. While something
-is computed other threads of Python run, and Ctrl-C is obeyed; ``progress=True`` shows a bar, and a callable
-is told the fraction that is done and stops the computation by returning False (then `Interrupted` is
-raised). ``threads`` is how many a call takes at most, whatever others take at the same time.
+Errors: `MeshError` (a ValueError) names the faces or vertices at which the arrays are not a surface, and
+says what helps. ValueError and TypeError concern other arguments, OSError concerns files. Other Python
+threads run during a computation, and Ctrl-C stops it. ``progress=True`` shows a bar. A callable is called
+with the fraction that is done, and stops the computation by returning False (`Interrupted` is raised).
+``threads`` is the largest number of threads of one call, independent of other calls.
 """
 
 from ._core import Interrupted, MeshError, has_pictures, version as _version

@@ -32,40 +32,46 @@ def clean(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
-    """A closed solid, made of a mesh with something wrong, for a printer, say.
+    """Makes a closed solid from a defective mesh, for example for a 3D printer.
 
-    It does what it can justify, and lists what it leaves: points stay where they are, and the result has no
-    crossing that the mesh did not have. The steps: "repair" makes an oriented manifold of triangles of it,
-    welded where it nearly is; "holes": boundary curves are closed, where a cap fits; "orient": parts that are
-    inside out are turned over; "channels": leaks from an outer wall to an inner one are closed, if the inner
-    wall comes off by that; "floaters": small parts that touch no other one go; "shells": what lies inside of
-    another part goes; "handles": none goes, unless genus or noise_below says which.
+    It changes only what it can justify, and lists what it leaves. No point moves, and no new crossing is made.
+    The steps, in order:
+
+    repair : makes an oriented triangle manifold, and welds close points
+    holes : closes boundary curves where a cap fits
+    orient : turns over parts that are inside out
+    channels : fills short channels between an outer and an inner wall if the inner wall becomes separate
+    floaters : drops small parts that touch no other part
+    shells : drops parts that lie inside another part
+    handles : removes handles, only with genus or noise_below
 
     Parameters
     ----------
-    V, F : arrays of shape (n, 3) and (m, k), k from 3 on, or one mesh object; it need not be a surface
-    skip : steps that are left out
-    weld : vertices of open edges that are so near to each other become one; default: only those that are
-        nearly at the same place. Lengths are in the unit of the coordinates, or a share of the diagonal of
-        the box of the mesh: "3%"
-    channels : how long around channels are, at most
-    floaters : the share of the volume below which a part is small: 0.0002 or "0.02%"; small parts go if they
-        are, together, less than five times that
-    genus : the smallest handles go until so many are left
-    noise_below : handles of which the thickness or the clear width is less go
+    V, F : arrays of shape (n, 3) and (m, k), k at least 3, or one mesh object; it need not be a surface
+    skip : steps to leave out
+    weld : join vertices of open edges that are closer than this length; default: only those that nearly
+        coincide. Lengths are in the unit of the coordinates, or a percentage of the diagonal of the bounding
+        box: "3%"
+    channels : the largest circumference of a channel
+    floaters : drop parts with less than this share of the volume, 0.0002 or "0.02%", if together they have less
+        than five times that share
+    genus : remove the smallest handles until this many remain
+    noise_below : remove handles whose thickness or clear width is less than this length
     threads, progress : as for `loops`
 
     Returns
     -------
-    V, F : the new mesh; what stays keeps its order
-    face_origin : (m',): for each face the face of the given mesh that it is, or is a part of where that was
-        cut into triangles, or -1 if it is new
-    report : closed, whether the result is; before and after (vertices, faces, parts, boundaries, genus,
-        crossings, volume); steps, a list of dictionaries: step, count, and in words what was done and what
-        is left. vertex_origin : (n',): for each vertex the one of the given mesh that it is, or -1 if it is
-        new; face_parent : (m',): as face_origin, also of faces that are parts at the rims of caps
+    V, F : the new mesh; remaining vertices and faces keep their order
+    face_origin : (m',): for each face the face of the given mesh that it is, or is a triangle of, or -1 if it
+        is new
+    report : a dictionary:
+        closed : whether the result is closed
+        before, after : vertices, faces, parts, boundaries, genus, crossings, volume
+        steps : a list of dictionaries: step, count, and descriptions of what was done and what is left
+        vertex_origin : (n',): for each vertex the same vertex of the given mesh, or -1 if it is new
+        face_parent : (m',): as face_origin, also for parts of faces at the rims of caps
 
-    Raises MeshError if no surface can be made of it.
+    Raises MeshError if no surface can be made.
     """
     skipped = _steps(skip)
     if genus is not None and noise_below is not None:

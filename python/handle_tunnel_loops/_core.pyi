@@ -1,4 +1,4 @@
-"""The compiled part. Its functions take and return arrays; what they do is said where they are called."""
+"""The compiled part. Its functions take and return arrays; they are documented where they are called."""
 
 from typing import Any, Dict, List, Optional, Sequence, Tuple
 

@@ -22,16 +22,16 @@ Basis = Literal["pure", "shortest"]
 
 @dataclass(frozen=True)
 class Certificate:
-    """What has been proved of loops. It is true if all holds that is required."""
+    """What is proved about loops. It is true if everything required holds."""
 
     certified: bool
     closed_on_surface: bool  #: each loop is a closed curve on the surface
-    basis: bool  #: they are a basis of H1(S; Z), with the boundary curves but one of each component
+    basis: bool  #: they and the boundary curves, except one of each component, are a basis of H1(S; Z)
     pairing: bool  #: the loops of each pair cross once, counted with sign
-    types: bool  #: no handle loop and tunnel loop have each other's name
-    handles_bound_inside: Optional[int]  #: how many, if that was computed
+    types: bool  #: no handle loop and tunnel loop are swapped
+    handles_bound_inside: Optional[int]  #: their number, if it was computed
     tunnels_bound_outside: Optional[int]
-    failure: str  #: what fails, a line each; empty if nothing does
+    failure: str  #: what fails, one per line; empty if nothing does
 
     def __bool__(self) -> bool:
         return self.certified
@@ -43,18 +43,18 @@ def certificate_of(record: Dict[str, Any]) -> Certificate:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Loop(Comparable):
-    """A closed polyline on a mesh. Its k places are on edges or at vertices; two that follow each other,
-    and the last and the first, lie on a common face."""
+    """A closed polyline on a mesh. Its k points lie on edges or at vertices; consecutive points, and the
+    last and the first, lie on a common face."""
 
     kind: str  #: "handle", "tunnel", or "boundary"
     number: int  #: of its pair, or of the boundary curve
-    points: np.ndarray  #: (k, 3), float64: the places, in the unit of the coordinates
-    edges: np.ndarray  #: (k, 2), int64: the vertices that the edge of each place joins
-    ratios: np.ndarray  #: (k,), float64 in [0, 1]: how far along its edge each place is
+    points: np.ndarray  #: (k, 3), float64, in the unit of the coordinates
+    edges: np.ndarray  #: (k, 2), int64: the end vertices of the edge of each point
+    ratios: np.ndarray  #: (k,), float64 in [0, 1]: the position of each point along its edge
     length: float  #: of the closed polyline
     component: int  #: of the surface
     bounds: str = "undecided"  #: "inside", "outside", "both", "neither" or "undecided"
-    bounds_alone: str = "undecided"  #: the same if the other components were not there
+    bounds_alone: str = "undecided"  #: the same, without the other components
 
     def __hash__(self) -> int:
         return hash((self.kind, self.number, self.length))
@@ -66,7 +66,7 @@ class Loop(Comparable):
         return f"<Loop: {self.kind} {self.number}, length {self.length:g}, {len(self)} places>"
 
     def closed(self) -> np.ndarray:
-        """(k + 1, 3): the points, with the first one again at the end, to be plotted."""
+        """(k + 1, 3): the points, with the first one repeated at the end, for plotting."""
         return np.concatenate([self.points, self.points[:1]])
 
 
@@ -94,9 +94,9 @@ def _loops_of(record: Dict[str, Any], kinds: List[str], numbers: List[int]) -> L
 
 
 class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
-    """The loops of a mesh, a sequence of pairs: ``L[i]`` is ``handles[i]`` and ``tunnels[i]``, a slice is a list.
+    """The loops of a mesh, a sequence of pairs: ``L[i]`` is ``(handles[i], tunnels[i])``, a slice is a list.
 
-    It is made of arrays and can be pickled. Two are equal if all in them is, but for the times that they took.
+    It can be pickled. Two are equal if everything in them is equal, except the times.
     """
 
     # Weak references to the arrays that it was found on, which are the caller's.
@@ -119,16 +119,16 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         self.boundaries: List[Loop] = _loops_of(curves, ["boundary"] * number, list(range(number)))
         numbers = record["waists"]["numbers"]
         waists = dict(record["waists"], components=[curves["components"][i] for i in numbers])
-        #: for each boundary curve the shortest loop that goes around the same, if asked for; it has
-        #: the number of its curve, and the only curve of a component has none
+        #: with ``waists=True``: for each boundary curve a short loop homologous to it, with the number
+        #: of the curve; the only curve of a component has none
         self.waists: List[Loop] = _loops_of(waists, ["boundary"] * len(numbers), numbers)
-        #: (n,): the layer of the front that came to each vertex in the first pass, from 1; 0 where there is
-        #: no face. None unless asked for, like the next.
+        #: (n,): the layer, from 1, in which a front of the first pass reached each vertex; 0 without a face.
+        #: With ``layers=True``, else None, like the next.
         self.layers: Optional[np.ndarray] = record.get("layers")
-        #: (n,): when it came, in steps of the field; -1 where there is no face
+        #: (n,): the arrival time, in steps of the field; -1 without a face
         self.layer_times: Optional[np.ndarray] = record.get("layer_times")
         self.certificate = certificate_of(record["certificate"])
-        #: whether the time budget has ended the search for shorter loops
+        #: whether the time budget ended the search for shorter loops
         self.ended_by_time: bool = record["ended_by_time"]
         self.number_of_components: int = record["number_of_components"]
         self.seconds: Dict[str, float] = record["seconds"]  #: by stage of the computation
@@ -158,9 +158,9 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
 
     @property
     def linking(self) -> Any:
-        """The linking numbers, (2g, 2g): entry (i, j) is how often loop i winds around loop j when that
-        is pushed off the surface, outwards; loop 2k is handle k, and 2k + 1 is tunnel k. A
-        `scipy.sparse.coo_matrix` where SciPy is there, or else rows, columns and values."""
+        """The linking numbers, (2g, 2g): entry (i, j) is the linking number of loop i with loop j pushed
+        outwards off the surface. Loop 2k is handle loop k, loop 2k + 1 is tunnel loop k. A
+        `scipy.sparse.coo_matrix`, or rows, columns and values if SciPy is not installed."""
         rows, columns, values = self._whole_record()["linking"]
         try:
             from scipy.sparse import coo_matrix
@@ -169,22 +169,28 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         return coo_matrix((values, (rows, columns)), shape=(2 * self.genus, 2 * self.genus))
 
     def table(self) -> PairTable:
-        """A structured array, a row for each pair, the smallest first: ``pandas.DataFrame(L.table())``.
+        """A structured array with a row for each pair, the smallest first: ``pandas.DataFrame(L.table())``.
 
-        pair, handle_length, tunnel_length (in the unit of the coordinates), size (the shorter one over
-        the diagonal of the mesh's box), centre_x to centre_z and xmin to zmax, the box, of the shorter one,
-        component, handle_bounds, tunnel_bounds, diameter (of the round bore that the tunnel goes around, or
-        else of a circle as long as the shorter loop), diameter_of ("bore", "handle" or "tunnel"), and
-        bore_axis_x to bore_centre_z, which are NaN for what is none.
+        The columns:
 
-        Of the table and of its rows, "centre", "bore_axis" and "bore_centre" are three of the columns in one
-        array, and "box" is six, of shape (2, 3).
+        pair, component : the number of the pair, and of its component
+        handle_length, tunnel_length : in the unit of the coordinates
+        size : the length of the shorter loop over the diagonal of the bounding box
+        centre_x to centre_z, xmin to zmax : the center and the bounding box of the shorter loop
+        handle_bounds, tunnel_bounds : as `Loop.bounds`
+        diameter : of the round bore that the tunnel loop goes around, or else of a circle as long as the
+            shorter loop
+        diameter_of : "bore", "handle" or "tunnel"
+        bore_axis_x to bore_centre_z : of the bore; NaN if there is none
+
+        For the table and its rows, "centre", "bore_axis" and "bore_centre" give three columns as one array,
+        and "box" gives six, of shape (2, 3).
         """
         record = self._whole_record()
         return table_of(self, record["diagonal"], record["bores"])
 
     def _repr_html_(self) -> str:
-        """The table, for notebooks, below a picture while the arrays of the mesh are there."""
+        """The table, for notebooks, below a picture as long as the arrays of the mesh exist."""
         from ._pictures import html_picture  # which is about loops
 
         V, F = (None if array is None else array() for array in self._mesh)
@@ -195,7 +201,7 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         return {name: part for name, part in vars(self).items() if name != "_mesh"}
 
     def columns(self) -> Dict[str, np.ndarray]:
-        """The same as a dictionary of the columns."""
+        """The table as a dictionary of columns."""
         table = self.table()
         return {name: table[name] for name in table.dtype.names or ()}
 
@@ -212,23 +218,23 @@ def loops(
     layers: bool = False,
     time_budget: Optional[float] = None,
 ) -> Loops:
-    """The handle and tunnel loops of a mesh.
+    """Computes the handle and tunnel loops of a mesh.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    basis : "pure": handle loops that bound in the solid and tunnel loops that bound outside of it;
-        "shortest": short loops, whatever side they bound on
-    threads : how many this call takes at most; 0 or None for as many as there are processors
-    seed : the vertex that the computation begins at; chosen if not given
-    waists : whether to look for the shortest loops that go around what boundary curves go around
-    layers : whether to keep what each front of the first pass covered, and when
-    time_budget : seconds after which no more shorter loops are looked for in other classes; what else
-        there is to do is done
-    progress : True for a bar, or a callable that is told a number from 0 to 1
+    basis : "pure": handle loops that bound inside and tunnel loops that bound outside; "shortest": a
+        shortest basis, on any side
+    threads : the largest number of threads; 0 or None: one for each core
+    seed : the vertex at which the computation begins; chosen by default
+    waists : whether to also compute, for each boundary curve, a short loop homologous to it
+    layers : whether to keep the layers and arrival times of the first pass
+    time_budget : seconds after which the search for shorter loops in other homology classes ends; all other
+        steps are completed
+    progress : True for a bar, or a callable that takes a number from 0 to 1
 
-    The answer is certified, and the same for any number of threads unless its time budget has ended it. The time is about linear in m;
-    memory is about 150 bytes a face besides the arrays.
+    The result is certified. It is the same for any number of threads, unless the time budget ended the
+    search. The time is about linear in m; memory is about 150 bytes per face besides the arrays.
     """
     points, triangles = arrays(V, F)
     L = Loops(
@@ -258,7 +264,7 @@ def record_of(L: Any, name: str = "L") -> Dict[str, Any]:
 
 
 def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
-    """What has been proved of loops on a mesh, from the two alone: whatever they say of themselves.
+    """Certifies loops on a mesh, from the loops and the mesh alone. Earlier certificates are not used.
 
     ``certify(mesh, L)`` takes one mesh object.
     """

@@ -15,34 +15,34 @@ from ._waiting import computed
 
 
 class Balls(Comparable):
-    """The largest balls that can be led along closed curves, one for each pair; NaN where none is known."""
+    """The largest balls that can move along closed curves, one for each pair; NaN if it is not known."""
 
     def __init__(self, record: Dict[str, Any]):
         known = np.array([len(curve) > 0 for curve in record["curves"]], dtype=bool)
         self.diameters: np.ndarray = np.where(known, record["diameters"], np.nan)  #: (g,), in the unit of the mesh
-        self.errors: np.ndarray = np.where(known, record["errors"], np.nan)  #: (g,): the true one is within it
-        self.throats: np.ndarray = np.where(known[:, None], record["throats"], np.nan)  #: (g, 3): the least room
-        self.curves: List[np.ndarray] = record["curves"]  #: (k, 3) each: where the centres go
+        self.errors: np.ndarray = np.where(known, record["errors"], np.nan)  #: (g,): bounds of the errors of the diameters
+        self.throats: np.ndarray = np.where(known[:, None], record["throats"], np.nan)  #: (g, 3): where each ball has the least room
+        self.curves: List[np.ndarray] = record["curves"]  #: (k, 3) each: paths of the centers
 
 
 class Measures(Comparable):
-    """How thick handles are, and how wide their holes, in the order of the pairs."""
+    """Thickness of handles and clear width of their holes, in the order of the pairs."""
 
     def __init__(self, record: Dict[str, Any]):
         self.thickness = Balls(record["thickness"])  #: of balls around a handle, in the material
         self.clear_width = Balls(record["clear_width"])  #: of balls through its hole
-        self.why: List[str] = record["why"]  #: why one is missing; empty if none is
+        self.why: List[str] = record["why"]  #: why a measure is missing; empty if none is
 
     def __len__(self) -> int:
         return len(self.why)
 
     @property
     def noise(self) -> np.ndarray:
-        """(g,): the smaller one, as far as they are known."""
+        """(g,): the smaller of the two measures that are known."""
         return np.fmin(self.thickness.diameters, self.clear_width.diameters)
 
     def columns(self) -> Dict[str, np.ndarray]:
-        """Each number in a column of its own, as pandas takes it: ``pandas.DataFrame(M.columns())``."""
+        """A dictionary of columns, one for each number: ``pandas.DataFrame(M.columns())``."""
         columns: Dict[str, np.ndarray] = {"pair": np.arange(len(self))}
         for name, place, balls in (
             ("thickness", "thickness", self.thickness),
@@ -62,10 +62,10 @@ def measure(
     precision: float = 0.01,
     threads: Optional[int] = 0,
 ) -> Measures:
-    """How thick each handle is, and how wide its hole, given the loops of a mesh.
+    """Measures how thick each handle is, and how wide its hole, given the loops of a mesh.
 
-    ``measure(mesh, L)`` takes one mesh object. Each number is right up to `precision`, as a part of it; the
-    bound of the error comes with it.
+    ``measure(mesh, L)`` takes one mesh object. `precision` is the largest relative error; the result
+    includes a bound for the error of each measure.
     """
     if isinstance(F, Loops):
         F, L = None, F
@@ -78,16 +78,16 @@ def measure(
 
 
 class Way(Comparable):
-    """What one way to remove each handle by itself would change; NaN where it cannot be."""
+    """What one way of removing each handle alone would change; NaN where it is refused."""
 
     def __init__(self, record: Dict[str, Any]):
         self.areas: np.ndarray = record["areas"]  #: (g,): of the caps
-        self.volumes: np.ndarray = record["volumes"]  #: (g,): of the solid taken away; negative if some is put in
-        self.why_not: List[str] = record["why_not"]  #: why it cannot be; empty if it can
+        self.volumes: np.ndarray = record["volumes"]  #: (g,): of the solid that is taken away; negative if solid is added
+        self.why_not: List[str] = record["why_not"]  #: why the removal is refused; empty if it is possible
 
 
 class RemovalCosts(Comparable):
-    """What either way to remove each handle by itself would change, in the order of the pairs."""
+    """What a cut and a fill of each handle alone would change, in the order of the pairs."""
 
     def __init__(self, record: Dict[str, Any]):
         self.cut = Way(record["cut"])  #: along the handle loop
@@ -97,7 +97,7 @@ class RemovalCosts(Comparable):
         return len(self.cut.why_not)
 
     def columns(self) -> Dict[str, np.ndarray]:
-        """Each number in a column of its own, as pandas takes it: ``pandas.DataFrame(C.columns())``."""
+        """A dictionary of columns, one for each number: ``pandas.DataFrame(C.columns())``."""
         columns: Dict[str, np.ndarray] = {"pair": np.arange(len(self))}
         for name, way in (("cut", self.cut), ("fill", self.fill)):
             columns[f"{name}_area"] = way.areas
@@ -107,10 +107,10 @@ class RemovalCosts(Comparable):
 
 
 def removal_costs(V: Any, F: Any = None, L: Optional[Loops] = None, threads: Optional[int] = 0) -> RemovalCosts:
-    """What it would take to remove each handle, and no other one, given the loops of a mesh.
+    """Computes what `remove_handles` would change by a cut and by a fill of each handle alone.
 
-    ``removal_costs(mesh, L)`` takes one mesh object. That is what `remove_handles` would change by a cut, and by
-    a fill: the area of the caps, and the volume of the solid that is taken away or, negative, put in.
+    The result has the area of the caps, and the volume of the solid that is taken away (negative if solid
+    is added). ``removal_costs(mesh, L)`` takes one mesh object.
     """
     if isinstance(F, Loops):
         F, L = None, F

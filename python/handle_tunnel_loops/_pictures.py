@@ -24,14 +24,14 @@ _most_faces = 10**6
 def picture(
     V: Any, F: Any = None, L: Any = None, path: Any = None, *, size: Optional[Sequence[int]] = None
 ) -> Optional[bytes]:
-    """A picture of a mesh with its loops, or with something else, in PNG, as the program draws it.
+    """Draws a mesh with its loops, or with another result, as PNG, like ``htloops --picture``.
 
-    `L` is what one of these functions returned for the mesh: `loops`, `curve_skeleton`, `reeb`, `remove_handles`
-    (all of it; the picture shows the mesh before and after) or `cut_edges`.
+    `L` is a result for this mesh, from `loops`, `curve_skeleton`, `reeb`, `cut_edges` or `remove_handles` (the
+    whole tuple; the picture shows the mesh before and after).
 
-    It is written to `path`, or returned as bytes without one, for ``IPython.display.Image``. `size` is its
-    width and height in pixels. ``picture(mesh, L, path)`` takes one mesh object; with edges of a cut it is
-    ``picture(mesh, None, edges, path)``.
+    The picture is written to `path`. Without `path`, its bytes are returned, for ``IPython.display.Image``.
+    `size` is the width and height in pixels. ``picture(mesh, L, path)`` takes one mesh object; for edges of a
+    cut, use ``picture(mesh, None, edges, path)``.
     """
     F, L, path = _sorted_out(F, L, path)
     if path is not None and not os.fsdecode(path).lower().endswith(".png"):
@@ -43,8 +43,9 @@ def picture(
 
 
 def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str = "mesh") -> None:
-    """Writes a page, one file at `path`, in which the mesh can be turned in any browser, with its loops, or with
-    what else `picture` takes as `L`.
+    """Writes an interactive page of a mesh with its loops, or with another result that `picture` takes as `L`.
+
+    The page is one file, `path`, for any browser.
 
     ``html(mesh, L, path)`` takes one mesh object.
     """

@@ -18,32 +18,32 @@ Drawing = Literal["means", "inside"]
 
 
 class ReebGraph(Comparable):
-    """The Reeb graph of a function on a mesh: its contours, each shrunk to a point.
+    """The Reeb graph of a function on a mesh: each component of a contour becomes a point.
 
-    Nodes are critical points, arcs are what lies between them; there are as many independent cycles as
-    the surface has handles.
+    Nodes are critical points, and arcs are the parts between them. For a closed surface, the graph has one
+    independent cycle for each handle.
     """
 
     def __init__(self, record: Dict[str, Any]):
         self._record = record
         record = Record("the Reeb graph", record)
         nodes, arcs = record["nodes"], record["arcs"]
-        self.positions: np.ndarray = nodes["positions"]  #: (n, 3): where nodes are drawn
+        self.positions: np.ndarray = nodes["positions"]  #: (n, 3): of the nodes, for drawing
         self.node_values: np.ndarray = nodes["values"]  #: (n,): of the function
         self.node_vertices: np.ndarray = nodes["vertices"]  #: (n,): of the mesh
         self.node_types: List[str] = nodes["types"]  #: "minimum", "saddle", "maximum" or "regular"
         self.arcs: np.ndarray = arcs["ends"]  #: (m, 2): the nodes at the lower and the upper end
         self.lengths: np.ndarray = arcs["lengths"]  #: (m,): of the polylines
-        self.girths: np.ndarray = arcs["girths"]  #: (m,): the length of the contour half way
+        self.girths: np.ndarray = arcs["girths"]  #: (m,): the length of the contour in the middle of the arc
         self.numbers_of_vertices: np.ndarray = arcs["numbers_of_vertices"]  #: (m,): of the mesh
         self.is_on_cycle: np.ndarray = arcs["is_on_cycle"].astype(bool)  #: (m,)
         self.arc_of_vertex: np.ndarray = record["arc_of_vertex"]  #: by vertex; -1 without a face
         self.values: np.ndarray = record["values"]  #: by vertex, of the function
-        self.number_of_cycles: int = record["number_of_cycles"]  #: independent ones
+        self.number_of_cycles: int = record["number_of_cycles"]  #: number of independent cycles
         cuts = arcs["starts"][1:-1]
         #: by arc, (k, 3): from the lower end to the upper one
         self.polylines: List[np.ndarray] = np.split(arcs["points"], cuts)
-        #: by arc, (k,): how thick the surface is around the points of the polyline
+        #: by arc, (k,): the radius of the surface around each point of the polyline
         self.radii: List[np.ndarray] = np.split(arcs["radii"], cuts)
         if len(self.arcs) == 0:
             self.polylines, self.radii = [], []
@@ -55,8 +55,8 @@ class ReebGraph(Comparable):
         )
 
     def to_networkx(self) -> Any:
-        """A `networkx.MultiGraph`: nodes with pos, value, vertex and type, edges with the number of the
-        arc as key, and length, girth, polyline, radii and is_on_cycle."""
+        """A `networkx.MultiGraph`. Nodes have pos, value, vertex and type; edges have the number of the arc
+        as key, and length, girth, polyline, radii and is_on_cycle."""
         import networkx
 
         graph = networkx.MultiGraph()
@@ -82,11 +82,11 @@ class ReebGraph(Comparable):
         return graph
 
     def to_swc(self, path: Union[str, "os.PathLike[str]"]) -> int:
-        """Writes the skeleton as SWC, as neurons are kept; returns the number of points.
+        """Writes the graph as SWC, a format for neurons; returns the number of points.
 
-        SWC knows trees only. Each cycle is opened where it comes back to a node: the last point of such
-        an arc is a copy of that node, and a comment at the top names the two, `# cycle: COPY NODE`, so
-        that who reads it can join them.
+        SWC stores trees only. Each cycle is cut where it returns to a node: the last point of that arc is
+        a copy of the node, and a comment at the top names the two, `# cycle: COPY NODE`. A reader can use
+        it to join them.
         """
         rows: List[str] = []
         cycles: List[str] = []
@@ -151,22 +151,22 @@ def reeb(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> ReebGraph:
-    """The Reeb graph of a function on a mesh.
+    """Computes the Reeb graph of a function on a mesh.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    f : the function, (n,), a number for each vertex; without it the arrival times of a front that starts
-        at a vertex, which gives a skeleton
-    simplify : the part of the whole up to which leaves are taken off, by ``measure``; default 0.03
+    f : (n,): the function, a number for each vertex. By default the arrival times of a front that starts at
+        one vertex; the graph is then similar to a skeleton
+    simplify : remove leaves up to this fraction of the whole, by ``measure``; default 0.03
     measure : "limbs" (the default without f), "persistence" (the default with f), "length", "area" or
         "vertices"
-    shortest_arc : arcs between saddles that are shorter than so many times their radius are contracted,
-        cycles never; with 2, as long as thick, arcs are parts of the surface that one would name, with
-        short borders, and may be parallel, or lead from a node to itself
-    drawing : "means", along the means of contours, or "inside", in the middle of the solid, which takes
-        many times as long
-    sources : the vertices that the front starts at; chosen if there are none
+    shortest_arc : contract arcs between saddles that are shorter than this many times their radius, but
+        never a cycle. With 2, an arc is at least as long as thick, and arcs are distinct parts of the
+        surface with short borders. Arcs may then be parallel, or lead from a node to itself
+    drawing : "means": along the means of contours; "inside": in the middle of the solid, which takes much
+        longer
+    sources : the vertices at which the front starts; chosen by default
     threads, progress : as for `loops`
     """
     points, triangles = arrays(V, F)

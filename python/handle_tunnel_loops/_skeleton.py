@@ -17,52 +17,52 @@ from ._waiting import computed
 
 @dataclass(frozen=True)
 class SkeletonCertificate:
-    """What has been proved of a skeleton, in exact arithmetic. It is true if all of it holds."""
+    """What is proved about a skeleton, in exact arithmetic. It is true if everything holds."""
 
-    connected: bool  #: each component of the mesh has one connected part, with as many cycles as handles
-    inside: bool  #: every edge lies strictly inside, but for the ends of inlets, which lie on caps
-    embedded: bool  #: no two edges meet but in a common end
+    connected: bool  #: one connected part for each component of the mesh, with a cycle for each handle
+    inside: bool  #: every edge lies strictly inside, except for inlets, which lie on caps
+    embedded: bool  #: edges meet only in common ends
     basis: bool  #: the cycles are a basis of H1 of the solid
-    failure: str  #: what fails, a line each; empty if nothing does
-    edges_outside: List[Tuple[int, int]]  #: edges that are not known to be inside, by their points
+    failure: str  #: what fails, one per line; empty if nothing does
+    edges_outside: List[Tuple[int, int]]  #: edges not known to be inside, as pairs of points
 
     def __bool__(self) -> bool:
         return self.connected and self.inside and self.embedded and self.basis
 
 
 class CurveSkeleton(Comparable):
-    """Lines in the middle of the solid inside a surface, with the radii of the largest balls there.
+    """Lines in the middle of the solid inside a surface, with the radii of the largest balls around their points.
 
-    Points of other than two edges are nodes: joints, ends and inlets, which are the ends at boundary
-    curves. Paths between nodes are arcs. There are as many independent cycles as the surface has handles.
+    Nodes are the points that do not have exactly two edges: joints, ends and inlets (ends at boundary
+    curves). Arcs are the paths between nodes. There is one independent cycle for each handle.
 
-    It is made of arrays and can be pickled.
+    It can be pickled.
     """
 
     def __init__(self, record: Dict[str, Any]):
         self._record = record
         record = Record("the skeleton", record)
         self.points: np.ndarray = record["points"]  #: (n, 3)
-        self.radii: np.ndarray = record["radii"]  #: (n,): of the largest balls inside
+        self.radii: np.ndarray = record["radii"]  #: (n,): of the largest balls inside around the points
         self.components: np.ndarray = record["components"]  #: (n,): of the surface
         self.is_inlet: np.ndarray = record["is_inlet"].astype(bool)  #: (n,)
-        self.edges: np.ndarray = record["edges"]  #: (e, 2): the points that each joins
-        #: by arc, (k,): its points from one node to the other; of a cycle the first again at the end
+        self.edges: np.ndarray = record["edges"]  #: (e, 2): the two points of each edge
+        #: by arc, (k,): its points from one node to the other; a closed arc repeats the first at the end
         self.arcs: List[np.ndarray] = np.split(record["arc_points"], record["arc_starts"][1:-1])
         self.lengths: np.ndarray = record["lengths"]  #: (m,): of the arcs
         if len(self.lengths) == 0:
             self.arcs = []
         self.smallest_radii: np.ndarray = record["smallest_radii"]  #: (m,): along each arc
-        self.mean_radii: np.ndarray = record["mean_radii"]  #: (m,): along the length of each arc
+        self.mean_radii: np.ndarray = record["mean_radii"]  #: (m,): mean along the length of each arc
         with np.errstate(divide="ignore"):
-            #: (m,): the length over the distance of the ends; infinite for a cycle
+            #: (m,): the length over the distance of the ends; infinite for a closed arc
             self.tortuosities: np.ndarray = np.divide(record["lengths"], record["chords"])
         self.is_on_cycle: np.ndarray = record["is_on_cycle"].astype(bool)  #: (m,)
         self.point_of_vertex: np.ndarray = record["point_of_vertex"]  #: by vertex; -1 without a face
-        self.arc_of_vertex: np.ndarray = record["arc_of_vertex"]  #: by vertex; -1 if on none
-        self.number_of_cycles: int = record["number_of_cycles"]  #: independent ones
+        self.arc_of_vertex: np.ndarray = record["arc_of_vertex"]  #: by vertex; -1 if there is none
+        self.number_of_cycles: int = record["number_of_cycles"]  #: number of independent cycles
         self.genus: int = record["counts"]["genus"]  #: of the surface, summed over its components
-        #: what has been proved
+        #: what is proved
         self.certificate = SkeletonCertificate(**record["certificate"])
 
     def __repr__(self) -> str:
@@ -73,12 +73,12 @@ class CurveSkeleton(Comparable):
 
     @property
     def polylines(self) -> List[np.ndarray]:
-        """By arc, (k, 3): where its points are."""
+        """By arc, (k, 3): the coordinates of its points."""
         return [self.points[arc] for arc in self.arcs]
 
     def to_networkx(self) -> Any:
-        """A `networkx.Graph` of all points and edges: nodes with pos, radius, component and is_inlet, edges
-        with arc and length."""
+        """A `networkx.Graph` of all points and edges. Nodes have pos, radius, component and is_inlet; edges
+        have arc and length."""
         import networkx
 
         graph = networkx.Graph()
@@ -97,12 +97,11 @@ class CurveSkeleton(Comparable):
         return graph
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes it in the format that the end of the name tells.
+        """Writes the skeleton in the format given by the ending of the name.
 
-        .swc: trees with radii, each cycle cut at a point that is there twice; .vtp: lines with radii, for
-        ParaView and VMTK, as bytes if the name ends in .binary.vtp; .obj, .ply, .polylines.txt: lines;
-        .graphml, .dot: graphs; .csv: a row for each arc; .json: all, for ``htloops check``. Numbers read
-        back as exactly themselves.
+        .swc: trees with radii, each cycle cut at a point that is written twice; .vtp: lines with radii, for
+        ParaView and VMTK (.binary.vtp: binary); .obj, .ply, .polylines.txt: lines; .graphml, .dot: graphs;
+        .csv: a row for each arc; .json: everything, for ``htloops check``. Numbers keep all digits.
         """
         computed("save", None, _core.save_skeleton, os.fspath(path), Record("the skeleton", self._record))
 
@@ -115,16 +114,15 @@ def curve_skeleton(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> CurveSkeleton:
-    """A curve skeleton of a mesh, and what is proved of it.
+    """Computes a curve skeleton of a mesh, with a certificate.
 
-    If the mesh crosses itself, the skeleton comes with the reason why nothing is proved: see
-    ``certificate``.
+    If the mesh crosses itself, nothing is proved, and ``certificate`` gives the reason.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    shortest_limb : limbs that are shorter than so many times the radius of their base are left out;
-        cycles never are
+    shortest_limb : leave out limbs that are shorter than this many times the radius at their base; cycles
+        are always kept
     threads, progress : as for `loops`
     """
     points, triangles = arrays(V, F)

@@ -23,11 +23,11 @@ RepairStep = Literal["degenerate", "weld", "duplicates", "one-sided", "pillows",
 
 
 def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
-    """The arrays V, float64, and F, int64, of a mesh of a kind.
+    """Makes a test mesh of a kind: the arrays V, float64, and F, int64.
 
-    `kinds` tells which there are. Options: faces, genus and seed; some kinds take parts, long_way and
-    short_way, frequency, bridges and tunnels, or necks; holes and hole_faces make a boundary. The genus
-    is met exactly, the number of faces within 20 percent.
+    `kinds` lists the kinds. Options: faces, genus and seed; some kinds have parts, long_way and short_way,
+    frequency, bridges and tunnels, or necks; holes and hole_faces make a boundary. The genus is exact, the
+    number of faces is within 20%.
     """
     largest = {"seed": 2**32 - 1}
     given = {key: whole(key, value, 0, largest.get(key, 2**31 - 1)) for key, value in options.items()}
@@ -35,7 +35,7 @@ def generate(kind: str, **options: int) -> Tuple[np.ndarray, np.ndarray]:
 
 
 def kinds() -> Dict[str, str]:
-    """By name, what the kinds of meshes look like."""
+    """The kinds of test meshes: a dictionary from names to descriptions."""
     return _core.kinds()
 
 
@@ -46,12 +46,12 @@ def read(
     repair: bool = False,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray]:
-    """The arrays V, float64, and F, int64, of a mesh file, of any format that ``htloops loops`` reads.
+    """Reads a mesh file of any format that ``htloops loops`` reads: the arrays V, float64, and F, int64.
 
-    triangulate cuts faces into triangles, convex or not; repair welds points, drops what is double or
-    without area, splits what is no manifold, and orients faces alike. Vertices of the file keep their
-    numbers. Raises OSError if the file cannot be read, and ValueError if there is no surface in it.
-    ``progress`` is told nothing of interest, but stops the reading by returning False.
+    `triangulate` cuts faces, convex or not, into triangles. `repair` welds coincident points, drops duplicate
+    and degenerate faces, splits non-manifold edges and vertices, and orients faces consistently. Vertices
+    keep their numbers. Raises OSError if the file cannot be read, and ValueError if it has no surface.
+    A callable ``progress`` can stop the reading by returning False.
     """
     return computed("read", progress, _read, os.fsdecode(path), bool(triangulate), bool(repair))
 
@@ -69,11 +69,11 @@ def _read(
 
 
 def write(path: "Union[str, bytes, os.PathLike[str]]", V: Any, F: Any = None) -> None:
-    """Writes a mesh in the format that the end of the name tells; others are refused, with those that there are.
+    """Writes a mesh in the format given by the ending of the name; an unknown ending is an error that lists all.
 
-    ``write(path, mesh)`` takes one mesh object. It need not be a surface. Numbers read back as exactly
-    themselves where the format has as many digits: .stl, .glb, .gii and surfaces of FreeSurfer are of single
-    precision. Raises OSError if the file cannot be written.
+    ``write(path, mesh)`` takes one mesh object. It need not be a surface. Coordinates keep all digits, except
+    in the formats of single precision: .stl, .glb, .gii and FreeSurfer surfaces. Raises OSError if the file
+    cannot be written.
     """
     name = os.fsdecode(path)
     if name == "-":
@@ -91,19 +91,20 @@ def _in_words_of_python(message: str, name: str) -> str:
 def repair(
     V: Any, F: Any = None, *, steps: Optional[Iterable[RepairStep]] = None
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, List[Tuple[int, str]]]:
-    """A surface from arrays that are none: faces of any size, corners that share no vertex, and so on.
+    """Makes an oriented triangle manifold from defective arrays, with faces of any size.
 
-    V, F  : arrays of shape (n, 3) and (m, k), k from 3 on, or one mesh object
-    steps : some of "degenerate", "weld", "duplicates", "one-sided", "pillows", "orient" and "split", which are
-            those of ``htloops repair``; default: all
+    V, F  : arrays of shape (n, 3) and (m, k), k at least 3, or one mesh object
+    steps : some of "degenerate", "weld", "duplicates", "one-sided", "pillows", "orient" and "split", as for
+            ``htloops repair``; default: all
 
-    Cuts faces into triangles, welds points in the same place, drops faces that are double or without
-    area, components that are not orientable and such of two faces, splits edges and vertices that are no
-    manifold, and orients faces alike. Returns V and F, in which
-    the given vertices keep their numbers and copies come after them; for each face and for each vertex the
-    given one that it is, or is a part or a copy of; and what was done, as pairs of a number and words. Of
-    an object with cells, the triangles count before the quads.
-    Raises MeshError if no surface can be made of it.
+    Cuts faces into triangles, welds coincident points, drops duplicate and degenerate faces, non-orientable
+    components and components of two faces, splits non-manifold edges and vertices, and orients faces
+    consistently.
+
+    Returns V and F, in which given vertices keep their numbers and copies follow; for each face the given
+    face that it is, or is a part of; for each vertex the given vertex that it is, or is a copy of; and the
+    changes, as pairs of a number and a description. In an object with cells, triangles are numbered before
+    quads. Raises MeshError if no surface can be made.
     """
     names = None if steps is None else [word("steps", step, get_args(RepairStep)) for step in steps]
     return computed("repair", None, _repair, *soup(V, F), names)

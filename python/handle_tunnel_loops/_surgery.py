@@ -39,47 +39,48 @@ def remove_handles(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
-    """A mesh without some of its handles: of all, or of those that one of the following selects.
+    """Removes handles from a mesh: all of them, or those selected by one of the following parameters.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    genus : the smallest handles go until so many are left
-    shorter_than : handles with a loop that is shorter, in the unit of the coordinates, or as a share of the
-        diagonal of the box of the mesh: "3%"
-    pairs : those of the pairs of these numbers, as in the table of ``loops``, which has to be given; as a
-        mapping, each with a way of its own, or None: {1: "fill", 5: None}
-    box : ((x, y, z), (x, y, z)): those of which a loop lies in this box
-    necks : as shorter_than; shorter loops at which shells come apart go, too
-    channels : as shorter_than: leaks from an outer wall to an inner one, of which the inner wall comes off by
-        that, and nothing else
-    bores : (least, largest): round bores of a diameter in this range, in the unit of the coordinates; None
-        for no limit, so that (None, None) are all of them. Of a stepped bore, or one with counterbores, the
-        narrowest cylinder counts; slots have no diameter
-    by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "smallest-change", what
+    genus : remove the smallest handles until this many remain
+    shorter_than : remove handles with a loop shorter than this length, in the unit of the coordinates, or as a
+        percentage of the diagonal of the bounding box: "3%"
+    pairs : remove the handles of the pairs with these numbers, as in the table of ``loops``, which is required.
+        A mapping gives the way of removal for each, or None: {1: "fill", 5: None}
+    box : ((x, y, z), (x, y, z)): remove handles with a loop in this box
+    necks : like shorter_than; also cut shorter loops that separate the surface
+    channels : a length like shorter_than: fill shorter channels between an outer and an inner wall if the
+        inner wall becomes a separate component, and change nothing else
+    bores : (least, largest): fill round bores with a diameter in this range, in the unit of the coordinates;
+        None is no limit, so (None, None) selects all. The narrowest cylinder of a stepped bore or a
+        counterbore counts; slots have no diameter
+    by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "smallest-change", whichever
         changes the shape less
-    force : also where that is no repair: where the bounding box would grow, say
-    loops : of this mesh, if they are known; computed if not
+    force : also remove handles where the result is not a repair, for example where the bounding box would grow
+    loops : the loops of this mesh; computed by default
     threads, progress : as for `loops`
 
     Returns
     -------
-    V, F : the new mesh; what stays keeps its order
-    face_origin : (m',): for each face the face of the given mesh that it is, or -1 if it is new
-    report : genus_before, genus_after, components_before and _after, and lists of dictionaries: removed
-        (pair, by, length, area, volume of the solid taken away, negative if it was put in, change, patch),
-        refused (pair, length, reason), removed_necks, refused_necks. Each change, and that of all, says how the shape differs: volume_removed,
-        volume_added, cap_area; cap_ratio, the largest area of a cap over that of a circle as long as its rim;
-        displacement, the largest distance of a cap from the old surface; burial, that of what was taken
-        out with solid from the caps; sharpest_angle, at an edge of a cap, in degrees; box_growth. And
-        vertex_origin : (n',): for each vertex the one of the given mesh that it is, or -1 if it is new
-        face_parent : (m',): for each face the one of the given mesh that it is or is a part of, as there are
-            at the rims of caps, or -1 if it is of a cap
-        face_patch : (m',): for each face of a cap the handle that it closes, by its place in removed followed by
-            removed_necks, else -1. Handles that were removed together have the same caps: the patch of each
-            in these lists is the place of the first of them
-        loops : those along which handles were looked for
-    ``picture`` and ``html`` show what was done, given all of this.
+    V, F : the new mesh; remaining vertices and faces keep their order
+    face_origin : (m',): for each face the same face of the given mesh, or -1 if it is new
+    report : genus_before, genus_after, components_before, components_after, and lists of dictionaries: removed
+        (pair, by, length, area, volume of the solid that was taken away, negative if solid was added, change,
+        patch), refused (pair, length, reason), removed_necks, refused_necks. Each ``change``, and the change of
+        the whole mesh, measures how the shape differs: volume_removed, volume_added, cap_area; cap_ratio, the
+        largest area of a cap over that of a circle as long as its rim; displacement, the largest distance of a
+        cap from the old surface; burial, the largest distance from the caps of what was taken out with solid;
+        sharpest_angle, at an edge of a cap, in degrees; box_growth. Further keys:
+        vertex_origin : (n',): for each vertex the same vertex of the given mesh, or -1 if it is new
+        face_parent : (m',): for each face the face of the given mesh that it is, or is a part of (at the rims of
+            caps), or -1 for faces of caps
+        face_patch : (m',): for each face of a cap the handle that it closes, as a position in removed followed by
+            removed_necks; else -1. Handles that were removed together share their caps: their patch is the
+            position of the first of them
+        loops : the loops that were used
+    Pass the whole tuple to ``picture`` or ``html`` to show what was done.
     """
     methods = {}
     if isinstance(pairs, Mapping):
@@ -141,21 +142,21 @@ def cut_to_disk(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A mesh cut open along edges, so that each component is a disk.
+    """Cuts a mesh open along edges, so that each component becomes a disk.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    cones : vertices that the cut has to pass
-    cut_spheres : whether spheres are cut, too
-    avoid : (k, 2): edges, by the vertices that each joins, that the cut is not to run along, as those that cut
+    cones : vertices that the cut must pass through
+    cut_spheres : whether to also cut spheres
+    avoid : (k, 2): edges, as pairs of vertices, that the cut must not use, such as diagonals that divide
         polygons into triangles
     threads, progress : as for `loops`
 
     Returns
     -------
-    V, F : the opened mesh; faces keep their order, and vertices theirs; copies come after them
-    vertex_origin : (n',): the vertex of the given mesh that each vertex is, or is a copy of
+    V, F : the opened mesh; faces and vertices keep their order, and copies of vertices follow
+    vertex_origin : (n',): for each vertex the vertex of the given mesh that it is, or is a copy of
     """
     points, triangles = arrays(V, F)
     chosen = _cut_options(cones, cut_spheres, avoid)
@@ -177,7 +178,7 @@ def cut_edges(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> np.ndarray:
-    """The edges that `cut_to_disk` cuts a mesh along, as seams of textures: (k, 2), by the vertices that each joins."""
+    """Computes the edges that `cut_to_disk` cuts along, for texture seams: (k, 2), as pairs of vertices."""
     points, triangles = arrays(V, F)
     chosen = _cut_options(cones, cut_spheres, avoid)
     return computed("cut", progress, _core.cut_edges, points, triangles, chosen, threads_of(threads))
@@ -192,11 +193,11 @@ def _cut_options(cones: Any, cut_spheres: Any, avoid: Any) -> Dict[str, Any]:
 
 @dataclass(frozen=True, eq=False)
 class DualCut(Comparable):
-    """A cut that crosses one loop once, counted with sign, and no other."""
+    """A cut that has algebraic crossing number 1 with one loop and 0 with all others."""
 
     loop: Loop  #: a handle or tunnel loop, or a boundary curve
-    edges: np.ndarray  #: (k, 2), int64: vertices that edges of the mesh join
-    times: np.ndarray  #: (k,), int64: how often the cut runs along each, in that direction
+    edges: np.ndarray  #: (k, 2), int64: edges of the mesh, as pairs of vertices
+    times: np.ndarray  #: (k,), int64: how many times the cut uses each edge in that direction
 
     def __hash__(self) -> int:
         return hash(self.loop)
@@ -205,10 +206,10 @@ class DualCut(Comparable):
 def dual_cuts(
     V: Any, F: Any = None, *, threads: int = 0, progress: Any = None
 ) -> List[DualCut]:
-    """The cuts that are dual to the loops of a mesh, and to its boundary curves but one of each component.
+    """Computes the cuts dual to the loops of a mesh, and to its boundary curves except one of each component.
 
-    Of a plate with holes: from hole to hole, or to the rim. What jumps across one is the unknown of a
-    loop in a circuit.
+    On a plate with holes, they lead from hole to hole, or to the rim. In a field computation, the jump of a
+    potential across a cut is the unknown of its loop.
     """
     cuts = []
     for record in computed(

@@ -34,33 +34,30 @@ def survey(
     repair: bool = False,
     progress: Any = None,
 ) -> List[Row]:
-    """A row for each of many mesh files: genus, components, boundary, sizes of the handles, times, error.
+    """Makes a table of many mesh files: genus, components, boundaries, sizes of the handles, times, errors.
 
     Parameters
     ----------
-    paths : of .off, .obj, .ply or .stl
-    out : a .csv or .jsonl file, to which each row is written as soon as it is known; or a .parquet file
-        (that needs pyarrow), which is written at the end, from a .jsonl file beside it that has the rows
-        until then and stays. While one survey writes a file, another one that would is refused, except on
-        Windows
-    executor : who does the work: a number of processes, which are replaced if they are killed, say for
-        want of memory, and cost the row of one mesh (a script has to call survey() under
-        ``if __name__ == "__main__":`` then); a `dask.distributed.Client`; any
-        `concurrent.futures.Executor`; this process, one mesh after the other, if not given
-    resume : whether meshes that have a row in ``out`` are left out, so that a survey that was stopped can
-        be called again
-    retry_errors : whether those of them that have an error are tried again, and lose that row
-    timeout : seconds that a mesh may take to be read, mended and solved
-    memory : bytes of address space that a worker may have while it does a mesh, on Linux, as ``ulimit -v``
-        counts them; some 2 * 10**8 are taken before it begins. Not with threads as workers, which share
-        them
-    threads : of each mesh
+    paths : mesh files of any format that `read` reads
+    out : a .csv or .jsonl file; each row is written as soon as it is computed. A .parquet file (needs pyarrow)
+        is written at the end, from a .jsonl file beside it, which is kept. Two surveys cannot write one file
+        at the same time (not checked on Windows)
+    executor : a number of processes, a `dask.distributed.Client`, or any `concurrent.futures.Executor`. By
+        default this process computes one mesh after the other. With a number of processes, a process that is
+        killed, for example because memory runs out, is replaced and only its mesh fails; a script must then
+        call survey() under ``if __name__ == "__main__":``
+    resume : whether to skip meshes that have a row in ``out``, to continue a survey that was stopped
+    retry_errors : whether to repeat those of them with an error; the new row replaces the old one
+    timeout : the most seconds for one mesh, including reading and repair
+    memory : the most bytes of address space of a worker during one mesh, as for ``ulimit -v``; Linux only.
+        About 2 * 10**8 are used before the mesh is read. Workers must be processes, not threads
+    threads : the number of threads for each mesh
     basis : as for `loops`
-    triangulate, repair : as the options of ``htloops``
-    progress : True for a bar, or a callable that is told a number from 0 to 1
+    triangulate, repair : as for `read`
+    progress : True for a bar, or a callable that takes a number from 0 to 1
 
-    Returns the rows, in the order of the paths, those that were there before, too. A mesh that is none, or
-    that takes too long or too much memory, costs its own row, which says why.
+    Returns the rows in the order of the paths, including those already in ``out``. If a mesh is refused, or
+    takes too much time or memory, only its own row fails, and ``error`` gives the reason.
     """
     if isinstance(paths, (str, bytes, os.PathLike)):
         raise TypeError("paths are several: a list of them")

@@ -17,23 +17,23 @@ from ._waiting import computed
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Throat(Comparable):
-    """A closed geodesic that is shorter than the loops next to it. Its k places are on edges or at vertices,
-    as those of a `Loop`."""
+    """A closed geodesic that is shorter than the loops next to it. Its k points lie on edges or at vertices,
+    as for a `Loop`."""
 
-    points: np.ndarray  #: (k, 3), float64: the places, in the unit of the coordinates
-    edges: np.ndarray  #: (k, 2), int64: the vertices that the edge of each place joins
-    ratios: np.ndarray  #: (k,), float64 in [0, 1]: how far along its edge each place is
+    points: np.ndarray  #: (k, 3), float64, in the unit of the coordinates
+    edges: np.ndarray  #: (k, 2), int64: the end vertices of the edge of each point
+    ratios: np.ndarray  #: (k,), float64 in [0, 1]: the position of each point along its edge
     length: float  #: of the closed polyline
-    prominence: float  #: about how much longer it must become before it can slip away; inf if it cannot
-    separating: bool  #: whether the surface falls apart along it
+    prominence: float  #: about how much longer it must become to slide away or split; inf if it cannot
+    separating: bool  #: whether it separates its component
     bounds: str  #: "inside", "outside", "both", "neither" or "undecided"
-    pair: Optional[int]  #: the pair with a loop of its class, if there is one
+    pair: Optional[int]  #: the pair with a loop in its homology class, if there is one
     kind: Optional[str]  #: which loop of that pair: "handle" or "tunnel"
-    through: Tuple[int, ...]  #: of the vertices asked for, those from a loop through which it comes
+    through: Tuple[int, ...]  #: those vertices of ``through`` from which a short loop tightens to it
 
     @property
     def diameter(self) -> float:
-        """That of a circle as long as it."""
+        """The diameter of a circle of the same length."""
         return self.length / np.pi
 
     def __hash__(self) -> int:
@@ -46,7 +46,7 @@ class Throat(Comparable):
         return f"<Throat: diameter {self.diameter:g}, prominence {self.prominence:g}>"
 
     def closed(self) -> np.ndarray:
-        """(k + 1, 3): the points, with the first one again at the end, to be plotted."""
+        """(k + 1, 3): the points, with the first one repeated at the end, for plotting."""
         return np.concatenate([self.points, self.points[:1]])
 
 
@@ -66,19 +66,17 @@ def throats(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> List[Throat]:
-    """All narrow places of a mesh, the most prominent first: not only those of a basis.
+    """Computes the throats of a mesh, the most prominent first, including those outside any basis.
 
     ``throats(mesh, L)`` takes one mesh object.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    L : the loops of the mesh, as `loops()` returns them; they are found if they are not given
-    through : vertices; of each the throat to which a short loop through it tightens is in the list, if
-        there is one
-    least_prominence : how prominent throats are at least, as a part of their lengths
-    threads : how many this call takes at most; 0 or None for as many as there are processors
-    progress : True for a bar, or a callable that is told a number from 0 to 1
+    L : the loops of the mesh, from `loops()`; computed by default
+    through : vertices; for each, include the throat to which a short loop through it tightens, if there is one
+    least_prominence : the least prominence, as a fraction of the length of the throat
+    threads, progress : as for `loops`
     """
     if isinstance(F, Loops):
         F, L = None, F
