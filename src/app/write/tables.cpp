@@ -321,30 +321,39 @@ constexpr Table_column pair_columns[] = {
      8,
      true,
      {},
-     "The length of the shorter loop, as a part of the diagonal of the box around the mesh"},
-    {"diameter", 10, true, {}, "Of a round bore, or else of a circle as long as the shorter loop"},
-    {"of", 14, false, {}, "What has the diameter: a bore, with its axis, or the shorter loop"}};
+     "The length of the shorter loop, as a fraction of the diagonal of the bounding box of the "
+     "mesh"},
+    {"diameter",
+     10,
+     true,
+     {},
+     "The diameter of the round bore; otherwise that of a circle as long as the shorter loop"},
+    {"of",
+     14,
+     false,
+     {},
+     "What the diameter measures: a bore, with its axis, or the shorter loop"}};
 
 constexpr Table_column measure_columns[] = {
     {"thickness",
      10,
      true,
      {},
-     "The diameter of the largest ball that can be led around the handle inside"},
+     "The diameter of the largest ball that can move around the handle inside the solid"},
     {"clear width",
      11,
      true,
      {},
-     "The diameter of the largest ball that can be threaded through the hole"}};
+     "The diameter of the largest ball that can pass through the hole"}};
 
 constexpr Table_column cost_columns[] = {
     {"cut area", 10, true, {}, "The area of new faces, if the handle is cut"},
-    {"cut removes", 11, true, {}, "The volume of solid that is taken away, if the handle is cut"},
+    {"cut removes", 11, true, {}, "The volume of the solid that a cut of the handle removes"},
     {"fill area", 10, true, {}, "The area of new faces, if the hole is filled"},
-    {"fill adds", 10, true, {}, "The volume of solid that is put in, if the hole is filled"}};
+    {"fill adds", 10, true, {}, "The volume that filling the hole adds to the solid"}};
 
 constexpr Table_column place_columns[] = {
-    {"centre of the shorter", 34, false, {}, "The middle of the box around the shorter loop"},
+    {"centre of the shorter", 34, false, {}, "The center of the bounding box of the shorter loop"},
     {"its box", 0, false, {}, "The extents of that box along x, y and z"}};
 
 } // namespace

@@ -145,7 +145,7 @@ class Page {
       return;
     this.overlay.ends = ends.length === 1 ? [...ends, place] : [place];
     const length = this.overlay.lengthMeasured;
-    this.note(length === null ? 'Now the other end.' : '');
+    this.note(length === null ? 'Click the second point.' : '');
     this.overlay.draw();
   }
 
@@ -158,7 +158,7 @@ class Page {
     element('measure').setAttribute('aria-pressed', isOn);
     this.viewer.canvas.parentElement.classList.toggle('measuring', isOn);
     this.overlay.ends = [];
-    this.note(isOn ? 'Click two points of the surface.' : '');
+    this.note(isOn ? 'Click two points on the surface.' : '');
     this.overlay.draw();
   }
 

@@ -39,12 +39,12 @@ class Saving {
       return page.say('There is no picture to save.', true);
     const size = this.wantedSize;
     if (!size)
-      return page.note(`A picture has 16 to ${viewer.renderer.largestSide} pixels on a side, and ` +
-                       `${MOST_PIXELS / 1e6} million at most.`);
+      return page.note(`A picture may have 16 to ${viewer.renderer.largestSide} pixels on a side, and ` +
+                       `${MOST_PIXELS / 1e6} million in all.`);
     try {
       this.draw(...size).toBlob(blob => this.download(blob));
     } catch (error) {
-      page.note(`There is no such picture: ${error.message}`);
+      page.note(`The picture could not be made: ${error.message}`);
     }
     return page.closeMenus();
   }
@@ -79,7 +79,7 @@ class Saving {
       this.page.note('Copied.');
     } catch {
       const isCopied = document.execCommand('copy');
-      this.page.note(isCopied ? 'Copied.' : 'This browser does not let a page copy. It is selected.');
+      this.page.note(isCopied ? 'Copied.' : 'This browser does not let a page copy. The text is selected.');
     }
   }
 }

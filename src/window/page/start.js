@@ -4,8 +4,8 @@
 function watchContext(viewer, page) {
   viewer.canvas.addEventListener('webglcontextlost', event => {
     event.preventDefault();
-    page.say('The graphics card is not at hand at the moment. The table works; the surface comes back when ' +
-             'the card does.', true);
+    page.say('The browser lost the graphics card. The table still works; the surface returns when the card ' +
+             'does.', true);
     viewer.draw();
   });
   viewer.canvas.addEventListener('webglcontextrestored', () => {
@@ -71,7 +71,7 @@ async function start() {
   if (canUnpack)
     makeRenderer(viewer, page);
   else
-    page.say('This browser is too old to unpack the surface. The table works without it.', true);
+    page.say('This browser is too old to unpack the surface. The table still works.', true);
   if (viewer.renderer)
     await loadSurfaces(viewer, page);
   page.refresh();

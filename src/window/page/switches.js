@@ -113,7 +113,7 @@ class Switches {
       document.exitFullscreen();
     else
       document.documentElement.requestFullscreen()
-        .catch(() => this.page.say('This browser does not let a page fill the screen.', true));
+        .catch(() => this.page.say('This browser does not allow full screen.', true));
   }
 
   // Lines that have a way are moved along it, from its first point.
