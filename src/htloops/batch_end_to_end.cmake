@@ -87,7 +87,7 @@ if(MKFIFO)
       "'${HTLOOPS}' loops scans --csv cut.csv --jsonl cut.jsonl & pid=$!; sleep 2; kill -TERM $pid; wait $pid"
       WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE code ERROR_VARIABLE errors OUTPUT_QUIET)
     expect_equal("${code}" 143)
-    expect_match("${errors}" "--resume continues.*interrupted")
+    expect_match("${errors}" "use --resume to continue.*interrupted")
     file(READ "${FOLDER}/cut.csv" same_rows)
     expect_equal("${same_rows}" "${rows}")
   endif()

@@ -154,7 +154,7 @@ expect_match("${program}" "\nMESH = .cube.off.  #.*\nNUMBER_OF_VERTICES = 8\nPLA
 run(2 cut cube.off --seams cube.txt)
 run(2 cut cube.off --uv cube.off)
 run(2 cut mesh.off --repair --seams mesh.py)
-expect_match("${errors}" "mend it before, by htloops repair")
+expect_match("${errors}" "mend it before with 'htloops repair'")
 run("0|2" cut cube.off --uv cube.obj)
 if(output)
   expect_match("${output}" "\n1 chart: angles off by")
@@ -506,11 +506,11 @@ foreach(mesh IN ITEMS mesh holes sphere)
   endforeach()
 endforeach()
 
-# The letter of the paper, by which bands of layers that have parted meet at once: the reason.
+# The literal rules, by which bands of layers that have parted meet at once: the reason.
 run("1|5" loops mesh.off --quiet --backend reference --literal -o literal.json)
-expect_match("${errors}" "the letter of the paper|reference") # or it is not built in
+expect_match("${errors}" "literal rules|reference") # or it is not built in
 if(EXISTS "${FOLDER}/literal.json")
-  message(SEND_ERROR "the letter found no loops, and there is a file of them")
+  message(SEND_ERROR "the literal rules found no loops, but there is a file of them")
 endif()
 file(READ "${FOLDER}/host.json" host)
 string(JSON is_literal GET "${host}" options literal)

@@ -110,7 +110,7 @@ class Literal_failure_exception : public std::runtime_error
 {
 public:
   explicit Literal_failure_exception(const std::string& reason)
-      : std::runtime_error("the letter of the paper leads to no loops here: " + reason) {}
+      : std::runtime_error("the paper's literal rules find no loops here: " + reason) {}
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

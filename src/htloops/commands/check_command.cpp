@@ -139,28 +139,28 @@ void run(const Check_options& options) {
 }
 
 constexpr char check_description[] =
-    R"(Checks the loops, or the curve skeleton, of a file.
+    R"(Checks the loops or the curve skeleton in a file.
 
-Loops have to be a basis of H1(S; Z) of their mesh, and each tunnel loop has to cross its handle
-loop once; it is said which of them bound inside and outside the surface.
+Loops must be a basis of H1(S; Z) of their mesh, and each tunnel loop must cross its handle loop
+once (except in a shortest basis). The report counts the loops that bound inside and outside.
 
-The certificate is computed from the two files alone. What the JSON says besides has to agree
-with it: points, lengths, sizes, sides, linking numbers, the genus. All that is wrong is said,
-the worst first. Of the shortest basis it is not asked that pairs cross once. A loop that bounds on neither side is named, but is no failure; a handle loop and a tunnel
-loop that have each other's names are one.
+The certificate is computed from the two files alone. Everything else in the JSON must agree with
+it: points, lengths, sizes, sides, linking numbers, the genus. All errors are listed, the worst
+first. A loop that bounds on neither side is named, but is not an error. It is an error if the
+handle loop and the tunnel loop of a pair are swapped.
 
-A skeleton has to lie strictly inside, but for leaves in the middle of boundary curves, must not
-meet itself, and its cycles have to be a basis of H1 of the solid, in each component as if the
-others were away; all of it is decided exactly. It is what 'htloops skeleton' wrote as .json, or any
-.obj (lines), .vtp (text, or base64 that is not compressed), .swc, .graphml (x, y, z) or
-.polylines.txt. Edges that leave are named by the points of the file, with the face, from 0, that
-they leave through.
+A skeleton must lie strictly inside, except for ends in the middle of boundary curves. It must not
+cross itself, and its cycles must be a basis of H1 of the solid, in each component separately. All
+of this is decided exactly. The file is a .json of 'htloops skeleton', or any .obj (lines), .vtp
+(text or uncompressed base64), .swc, .graphml (x, y, z) or .polylines.txt. Edges that leave the
+solid are named by their points in the file, with the face, counted from 0, that they cross.
 )";
 
 constexpr char check_examples[] =
-    R"(Exit codes: 0 all is well, 1 the loops or the skeleton fail, 3 a file cannot be read, 4 the mesh is unfit.
+    R"(Exit codes: 0 certified, 1 the loops or the skeleton fail, 3 a file cannot be read, 4 the mesh is
+not accepted.
 
-Example:
+Examples:
   htloops check cup.off cup.json && echo 'a basis'
   htloops check vessel.stl centerlines.vtp
 )";
@@ -170,11 +170,11 @@ Example:
 void add_check_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Check_options>();
   CLI::App* check = app.add_subcommand("check", check_description)->group("Commands");
-  add_mesh_argument(*check, *options, "the mesh that they were computed on");
+  add_mesh_argument(*check, *options, "the mesh of the loops or the skeleton");
   add_input(*check, "FILE", options->loops_file,
-            "loops, as 'htloops loops MESH -o' wrote them, or a skeleton");
+            "loops written by 'htloops loops MESH -o', or a skeleton");
   add_remedy_options(*check, *options);
-  check->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  check->add_flag("-q,--quiet", options->is_quiet, "print only errors")->group("What to show");
   complete_help(*check, check_examples);
   check->callback([options, &command] { command = [options] { run(*options); }; });
 }

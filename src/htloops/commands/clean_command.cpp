@@ -100,20 +100,21 @@ void check_skipped(const Clean_command_options& options) {
     if(said[i].second &&
        std::count(options.skipped.begin(), options.skipped.end(), name_of(steps[i])) > 0)
       throw wrong_usage(std::string(said[i].first) +
-                        " is about a step that --skip leaves out: " + name_of(steps[i]));
+                        " concerns a step that --skip leaves out: " + name_of(steps[i]));
 }
 
 void check(const Clean_command_options& options) {
   check_skipped(options);
   if(options.result_file.empty() && !options.is_dry_run)
-    throw wrong_usage("OUT, after the mesh, says where the result goes; or --dry-run");
+    throw wrong_usage("give OUT, the file for the result, after the mesh, or --dry-run");
   check_mesh_format(options.result_file);
   check_name(options.json_file, "a report as JSON", {".json"});
   check_name(options.map_file, "a map as JSON", {".json"});
   check_name(options.page_file, "a page", {".html", ".htm"});
   if(!options.map_file.empty() && options.is_dry_run)
-    throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
-                      "--dry-run");
+    throw wrong_usage(
+        "--map describes the vertices of the written mesh: it cannot be combined with "
+        "--dry-run");
 }
 
 Cleaned_soup cleaned(Soup soup, const Clean_command_options& options) {
@@ -167,7 +168,7 @@ void run(const Clean_command_options& options) {
     show_text(
         table_of_cleaning(result) + words_of_unit(facts.unit) +
             formatted("%.2f s after %.2f s of reading\n", result.total_seconds, read_seconds) +
-            (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
+            (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
         options.result_file == "-" || options.json_file == "-" || options.page_file == "-" ||
             options.map_file == "-");
   if(!result.is_closed())
@@ -177,49 +178,51 @@ void run(const Clean_command_options& options) {
                       " left");
 }
 
-constexpr char clean_description[] = R"(Makes a closed solid of a mesh, for a printer, say.
+constexpr char clean_description[] =
+    R"(Turns a mesh into a closed solid, for example for a 3D printer.
 
-It does what it can justify, and lists what it leaves: points stay where they are, and the result
-has no crossing that the mesh did not have. The steps, in their order; --skip leaves some out:
-  repair    triangles, welded where they nearly are, oriented and manifold
-  holes     boundary curves are closed, where a cap fits
-  orient    parts that are inside out are turned over
-  channels  leaks from an outer wall to an inner one are closed, if they are short
-            around and the inner wall comes off by that
-  floaters  small parts that touch no other part go
-  shells    what lies inside of another part, and is not seen from outside, goes
-  handles   none goes, unless --genus or --noise-below says which
+It changes only what it can justify, and lists what it leaves. No point moves, and no new
+crossing is made. The steps, in order (leave some out with --skip):
+  repair    triangulates, welds close points, orients, makes manifold
+  holes     closes boundary curves where a cap fits
+  orient    turns over parts that are inside out
+  channels  fills channels between an outer and an inner wall if they are short
+            around and the inner wall becomes separate
+  floaters  drops small parts that touch no other part
+  shells    drops parts that lie inside another part and cannot be seen from outside
+  handles   removes handles, only with --genus or --noise-below
 )";
 
 constexpr char clean_examples[] =
-    R"(Exit codes: 0 the result is closed; 4 it is not, or the mesh cannot be mended: in the first
-case it is written all the same.
+    R"(Exit codes: 0 the result is closed; 4 it is not closed (it is written
+all the same), or the mesh cannot be repaired.
 
 Examples:
-  htloops clean model.glb solid.stl               inner walls, leaks and crumbs go
+  htloops clean model.glb solid.stl               remove inner walls, channels and small parts
   htloops clean scan.stl clean.3mf --noise-below 0.5%
-                                                  small handles, too
+                                                  also remove small handles
   htloops clean part.stl --dry-run --html look.html
-                                                  what would be done
-  htloops clean vase.obj vase.stl --skip shells   the hollow stays
+                                                  preview the changes
+  htloops clean vase.obj vase.stl --skip shells   keep the hollow inside
 )";
 
 void add_options(CLI::App& clean, Clean_command_options& options) {
-  add_mesh_argument(clean, options, mesh_kinds("a mesh, fit or not"));
+  add_mesh_argument(clean, options, mesh_kinds("any mesh"));
   add_output(clean, "OUT", " ", options.result_file, "the solid:" + words_of_written_meshes());
   clean.option_defaults()->group("What to do");
-  clean.add_option("--skip", options.skipped, "steps that are left out, with commas between them")
+  clean.add_option("--skip", options.skipped, "steps to leave out, separated by commas")
       ->option_text("STEP,...")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(steps_by_name()));
   add_weld_option(clean, options.remedies);
-  add_length(clean, "--channels", options.channels,
-             "the largest circumference of a channel; %: of the diagonal of\nthe box; default: 3%");
+  add_length(
+      clean, "--channels", options.channels,
+      "largest circumference of a channel; %: of the diagonal of the\nbounding box; default: 3%");
   clean
       .add_option("--floaters", options.floaters,
-                  "drop parts of less than this share of the volume, if they are\n"
-                  "together less than five times that; default: 0.02%")
+                  "drop parts with less than this share of the volume, if together\n"
+                  "they have less than five times that share; default: 0.02%")
       ->option_text("P%");
   CLI::Option* genus = clean
                            .add_option("--genus", options.genus,
@@ -227,16 +230,16 @@ void add_options(CLI::App& clean, Clean_command_options& options) {
                            ->option_text("G")
                            ->check(why_no_count);
   add_length(clean, "--noise-below", options.noise_below,
-             "remove handles of which the thickness or the clear width is less")
+             "remove handles whose thickness or clear width is less than this")
       ->excludes(genus);
   add_threads_option(clean, options);
   clean.option_defaults()->group("What to write");
-  clean.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
+  clean.add_flag("--dry-run", options.is_dry_run, "do everything except writing the mesh");
   add_output(clean, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_output(clean, "--map", "FILE.json", options.map_file,
-             "what each vertex and face was before, as JSON");
+             "the original vertex or face of each vertex and face, as JSON");
   add_page_option(clean, options, "the mesh before and after");
-  clean.add_flag("-q,--quiet", options.is_quiet, "nothing but errors")->group("What to show");
+  clean.add_flag("-q,--quiet", options.is_quiet, "print only errors")->group("What to show");
 }
 
 } // namespace

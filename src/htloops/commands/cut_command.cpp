@@ -54,8 +54,8 @@ void check_options(const Cut_command_options& options) {
   if(!options.charts_file.empty() && !can_make_charts())
     throw wrong_usage("--uv needs a build with Eigen");
   if(options.is_for_textures() && (options.remedies.do_repair || options.remedies.weld))
-    throw wrong_usage("--seams and --uv are about the vertices and faces of the file as they are: "
-                      "mend it before, by htloops repair");
+    throw wrong_usage("--seams and --uv refer to the vertices and faces of the file as they are: "
+                      "mend it before with 'htloops repair'");
   check_common_options(options);
 }
 
@@ -121,7 +121,7 @@ std::string words_of(const Charts& charts) {
                 charts.angle_distortion, charts.least_area, charts.largest_area);
   if(charts.number_of_fine_ones != 0)
     words += counted(charts.number_of_fine_ones, "chart has", "charts have") +
-             " triangles that single precision turns over\n";
+             " triangles that are inverted in single precision\n";
   return words;
 }
 
@@ -172,20 +172,19 @@ void run(const Cut_command_options& options) {
 void add_output_options(CLI::App& command, Cut_command_options& options) {
   command.option_defaults()->group("What to write");
   add_output(command, "-o,--output", "FILE", options.opened_file,
-             "the opened mesh, with a vertex for each side: .off .obj .ply");
+             "the opened mesh, with separate vertices for the two sides: .off .obj .ply");
   add_output(command, "--selection", "FILE.selection.txt", options.selection_file,
-             "the edges, as a selection of CGAL");
+             "the cut edges, as a CGAL selection file");
   add_output(command, "--seams", "FILE.py", options.seams_file,
-             "the edges as seams, marked by a program that Blender runs");
+             "a Python script for Blender that marks the cut edges as seams");
   add_output(command, "--uv", "FILE.obj", options.charts_file,
-             "the mesh with texture coordinates: each component laid out as one disk. For this\n"
-             "and for seams quadrangles and polygons stay as they are, and are not cut across;\n"
-             "spheres are cut, too");
+             "the mesh with texture coordinates, each component as one disk. --uv and --seams\n"
+             "keep quadrilaterals and polygons whole, and also cut spheres");
   add_output(command, "--dual", "FILE", options.dual_file,
-             "for each handle and tunnel loop, and all boundary curves but one of each\n"
-             "component, a cut that crosses it once and no other: as .json, or as lines with\n"
-             "the mesh, .msh .msh2 .vtu .vtp");
-  add_lines_option(command, options, "the edges");
+             "dual cuts: for each handle loop, tunnel loop and boundary curve (except one of\n"
+             "each component), a cut that crosses it once and no other: as .json, or as lines\n"
+             "with the mesh: .msh .msh2 .vtu .vtp");
+  add_lines_option(command, options, "the cut edges");
   add_picture_options(command, options, "the cut", false);
   add_page_option(command, options, "the mesh and the cut");
   add_view_options(command, options);
@@ -195,29 +194,29 @@ void add_computation_options(CLI::App& command, Cut_command_options& options) {
   command.option_defaults()->group("How to compute");
   command
       .add_option("--through", options.cones,
-                  "vertices that the cut has to pass: the cones of a parametrization")
+                  "vertices that the cut must pass through: cones of a parametrization")
       ->option_text("VERTEX,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_flag("--cut-spheres", options.do_cut_spheres, "cut components of genus 0, too");
+  command.add_flag("--cut-spheres", options.do_cut_spheres, "also cut components of genus 0");
   add_threads_option(command, options);
 }
 
 constexpr char cut_description[] = R"(Cuts a triangle mesh open, along short arcs of its edges.
 
-Each component of positive genus, or with several boundary curves, becomes one disk, as
-parametrizations ask for.
+Each component of positive genus, or with several boundary curves, becomes one disk, as needed
+for a parametrization.
 )";
 
 constexpr char cut_examples[] = R"(Examples:
   htloops cut part.off -o open.obj                the opened mesh
   htloops cut part.off --selection part.selection.txt
-                                                  for CGAL::Seam_mesh, and for CGAL's programs
-  htloops cut chair.obj --seams seams.py          a program that Blender runs (its -P)
-  htloops cut chair.obj --uv unwrapped.obj        with texture coordinates
+                                                  for CGAL::Seam_mesh and CGAL's demos
+  htloops cut chair.obj --seams seams.py          a script for Blender (blender -P seams.py)
+  htloops cut chair.obj --uv unwrapped.obj        add texture coordinates
   htloops cut part.off --through 17,4 --picture cut.png
-                                                  through two vertices, and a look at it
-  htloops cut plate.off --dual cuts.msh           jumps of potentials on a plate with holes
+                                                  cut through two vertices, with a picture
+  htloops cut plate.off --dual cuts.msh           dual cuts of a plate with holes
 )";
 
 } // namespace
@@ -229,7 +228,7 @@ void add_cut_command(CLI::App& app, Command& command) {
   add_output_options(*cut, *options);
   add_remedy_options(*cut, *options);
   add_computation_options(*cut, *options);
-  cut->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  cut->add_flag("-q,--quiet", options->is_quiet, "print only errors")->group("What to show");
   complete_help(*cut, cut_examples);
   cut->callback([options, &command] { command = [options] { run(*options); }; });
 }

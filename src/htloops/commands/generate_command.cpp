@@ -90,23 +90,26 @@ void add_options_of_kind(CLI::App& sub, unsigned options, generators::Request& r
     if((options & option) != 0)
       add_count(sub, name, value, what);
   };
-  add(generators::GENUS, "--genus", request.genus, "how many handles");
-  add(generators::PARTS, "--parts", request.parts, "how many components");
+  add(generators::GENUS, "--genus", request.genus, "number of handles");
+  add(generators::PARTS, "--parts", request.parts, "number of components");
   add(generators::TORUS_KNOT, "--long-way", request.p,
-      "p: how often the long way around the torus");
-  add(generators::TORUS_KNOT, "--short-way", request.q, "q: how often the short way");
+      "p: number of turns the long way around the torus");
+  add(generators::TORUS_KNOT, "--short-way", request.q, "q: number of turns the short way");
   add(generators::WAVE_FREQUENCY, "--frequency", request.frequency, "waves per side of the box");
-  add(generators::SMALL_BRIDGES, "--bridges", request.bridges, "how many small bridges");
-  add(generators::SMALL_BRIDGES, "--tunnels", request.tunnels, "how many small tunnels");
-  add(generators::NECKS, "--necks", request.necks, "how many necks");
+  add(generators::SMALL_BRIDGES, "--bridges", request.bridges, "number of small bridges");
+  add(generators::SMALL_BRIDGES, "--tunnels", request.tunnels, "number of small tunnels");
+  add(generators::NECKS, "--necks", request.necks, "number of necks");
 }
 
 // What stands for all shapes that somebody describes.
 const generators::Kind& text_kind() {
   static const generators::Kind kind = {
-      "shape", "what a text describes: balls, rods, pipes, rings, blocks, joined and cut out",
-      nullptr, 0,
-      40000,   0};
+      "shape",
+      "a shape described by a text: balls, rods, pipes, rings and blocks, joined and cut out",
+      nullptr,
+      0,
+      40000,
+      0};
   return kind;
 }
 
@@ -114,7 +117,7 @@ constexpr char faces_text[] = "about how many triangles";
 
 void add_text_options(CLI::App& sub, Generate_options& options) {
   sub.add_option("--text", options.text_file,
-                 "what the shape is: a part on each line, as in the manual (required)")
+                 "description of the shape, one part on each line; see the manual (required)")
       ->option_text("FILE")
       ->type_name(input_file)
       ->required();
@@ -125,7 +128,7 @@ void add_text_options(CLI::App& sub, Generate_options& options) {
            options.request.faces = faces;
            options.is_size_of_text = false;
          },
-         std::string(faces_text) + "; default: what the text says")
+         std::string(faces_text) + "; default: the number in the text")
       ->option_text("N")
       ->check(why_no_count);
 }
@@ -146,21 +149,21 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
   else
     add_count(*sub, "--faces", options->request.faces, faces_text);
   add_options_of_kind(*sub, kind.options, options->request);
-  add_count(*sub, "--seed", options->request.seed, "of the random numbers, if the kind uses any");
+  add_count(*sub, "--seed", options->request.seed,
+            "seed of the random numbers, if the kind uses any");
   add_count(*sub, "--holes", options->holes.number,
-            "how many holes, so that the mesh has a boundary");
+            "number of holes, which give the mesh a boundary");
   add_count(*sub, "--hole-faces", options->holes.faces,
             "about how many triangles each of them takes");
   sub->add_flag("--ragged-holes", options->holes.is_ragged,
-                "holes with as long a boundary as can be");
-  sub->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
+                "make the boundary of each hole as long as possible");
+  sub->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*sub);
   sub->callback(
       [&kind, options, &command] { command = [&kind, options] { run(kind, *options); }; });
 }
 
-constexpr char generate_description[] =
-    "Makes a mesh, most of a known genus, to test and to measure with.\n";
+constexpr char generate_description[] = "Generates a test mesh, usually of known genus.\n";
 
 constexpr char generate_examples[] = R"(Examples:
   htloops generate torus -o torus.off

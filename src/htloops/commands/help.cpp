@@ -348,8 +348,8 @@ std::string help_of(const CLI::App& tool, const std::vector<std::string>& words)
     const auto sub = std::find_if(all.begin(), all.end(),
                                   [&word](const CLI::App* one) { return one->get_name() == word; });
     if(sub == all.end())
-      throw wrong_usage("there is no '" + name + " " + printable(word) + "'; '" + name +
-                        " --help' tells what there is");
+      throw wrong_usage("there is no '" + name + " " + printable(word) + "'; see '" + name +
+                        " --help'");
     command = *sub;
     name += " " + word;
   }
@@ -357,8 +357,8 @@ std::string help_of(const CLI::App& tool, const std::vector<std::string>& words)
 }
 
 constexpr char completion_examples[] = R"(Examples:
-  source <(htloops completion bash)               for this shell; an installed htloops is
-                                                  completed in each
+  source <(htloops completion bash)               for the current shell; after an installation,
+                                                  completion works in all shells
 )";
 
 } // namespace
@@ -400,7 +400,7 @@ void complete_help(CLI::App& command, const std::string& footer) {
 void add_help_commands(CLI::App& app, Command& command) {
   const char group[] = "More help";
   const auto words = std::make_shared<std::vector<std::string>>();
-  CLI::App* help = app.add_subcommand("help", "Prints this help, or that of a command.\n");
+  CLI::App* help = app.add_subcommand("help", "Prints this help, or the help of a command.\n");
   help->group(group);
   help->add_option("COMMAND", *words, "loops, generate torus, ...")->option_text(" ");
   complete_help(*help);
@@ -409,7 +409,8 @@ void add_help_commands(CLI::App& app, Command& command) {
   });
   const auto shell = std::make_shared<std::string>();
   CLI::App* completion = app.add_subcommand(
-      "completion", "Prints a script that makes a shell complete the words of htloops.\n");
+      "completion",
+      "Prints a script that completes the commands and options of htloops in a shell.\n");
   completion->group(group);
   completion->add_option("SHELL", *shell, "bash, fish or zsh")
       ->option_text(" ")

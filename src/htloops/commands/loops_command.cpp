@@ -37,7 +37,8 @@ namespace {
 // How many pairs are not in the listing.
 std::string words_of_left_out(const Mesh_line& line) {
   const std::size_t number = line.answer.pairs.size() - line.listing.size();
-  return number == 0 ? "" : counted(number, "pair is", "pairs are") + " left out as asked for\n";
+  return number == 0 ? ""
+                     : counted(number, "pair is", "pairs are") + " left out by your selection\n";
 }
 
 // Without colours.
@@ -68,8 +69,8 @@ std::string choice_of_pairs(const Loops_options& options) {
 std::string remark_on_numbers(const Loops_options& options) {
   return has_usual_numbers(options) || keeps_numbers(options)
              ? ""
-             : "The numbers of the pairs are those of this call with its options: -o LOOPS.json "
-               "keeps them for 'htloops remove'.\n";
+             : "The numbers of the pairs are valid for this call with its options: save them with "
+               "-o LOOPS.json for 'htloops remove'.\n";
 }
 
 htl_scene::Scene scene_of(const Loops_options& options, const Mesh& mesh, const Mesh_line& line) {
@@ -122,7 +123,7 @@ bool is_output_taken(const Loops_options& options) {
 void show(const Loops_options& options, const Mesh_line& line) {
   const Answer& answer = line.answer;
   if(answer.statistics.has_device_failed)
-    std::fprintf(stderr, "htloops: continued on the processor, as the CUDA device failed: %s\n",
+    std::fprintf(stderr, "htloops: the CUDA device failed, so the host continued: %s\n",
                  answer.statistics.fallback.c_str());
   if(options.is_quiet)
     return;
@@ -163,43 +164,45 @@ void run(Loops_options& options) {
 constexpr char loops_description[] =
     R"(Finds the handle and tunnel loops of a triangle mesh, closed or with boundary.
 
-A surface of genus g has g pairs of them: a handle loop, which bounds in the solid inside the
+A surface of genus g has g pairs of loops: a handle loop, which bounds in the solid inside the
 surface, and a tunnel loop, which bounds in the space outside and crosses the handle loop once.
-With --basis shortest loops are short instead, whatever side they bound on, and those of a
-pair cross an odd number of times.
-They are checked to be a basis of H1(S; Z) before they are written; on a surface with boundary,
-together with all boundary curves but one of each component.
+With --basis shortest, loops are as short as possible, but need not bound on either side; the
+loops of a pair then cross an odd number of times.
+Before loops are written, they are certified to be a basis of H1(S; Z). On a surface with
+boundary, the basis includes all boundary curves except one of each component.
 )";
 
 constexpr char loops_examples[] = R"(Examples:
   htloops loops cup.off                           a table of the loops
   htloops loops cup.off -o cup.json --lines cup.ply
-                                                  the loops for a program and for a viewer
+                                                  loops for a program and for a viewer
   htloops loops cup.off --html cup.html --shorter-than 3%
-                                                  a look at the small ones in a browser
+                                                  view the short loops in a browser
   htloops loops cup.off -qo - | jq '.pairs | length'
-                                                  JSON into a pipe
-  htloops loops cup.off --throats --csv -        all narrow places, a row for each
-  htloops loops scans --csv scans.csv --jobs 4    a table of all meshes in a folder, whatever happens
-  htloops loops scans --csv scans.csv --resume    the rest of them, after Ctrl-C
+                                                  send JSON to a pipe
+  htloops loops cup.off --throats --csv -         all throats, a row for each
+  htloops loops scans --csv scans.csv --jobs 4    a table of all meshes in a folder, failures
+                                                  included
+  htloops loops scans --csv scans.csv --resume    the remaining meshes, after Ctrl-C
   cat cup.off | htloops loops - --format off      a mesh from a pipe
   htloops loops soup.obj --triangulate --repair --write-mesh sound.obj
-                                                  a mesh that is not fit as it is
+                                                  mend a mesh that is not acceptable as it is
 )";
 
 constexpr char measure_description[] =
-    R"(Measures the handles of a triangle mesh: how thick they are, and how wide their holes.
+    R"(Measures the handles of a triangle mesh: thickness of handles, clear width of holes.
 
-The thickness of a handle is the diameter of the largest ball that can be led around it within
-the material; the clear width of its hole is that of the largest ball that can be led through
-it, from outside. They depend on the shape alone, and each comes with a bound of its error.
+The thickness of a handle is the diameter of the largest ball that can move around it within
+the material. The clear width of its hole is the diameter of the largest ball outside that can
+move through it. Both depend on the shape alone, and both include an error bound.
 )";
 
 constexpr char measure_examples[] = R"(Examples:
   htloops measure casting.stl                     a table, the smallest measure first
   htloops measure 'scans/*.stl' --csv all.csv     a row for each handle of many meshes
-  htloops measure scan.ply --noise-below 1%       what is thinner, or narrower, than that
-  htloops measure foam.off --html foam.html       the balls at their throats, in a browser
+  htloops measure scan.ply --noise-below 1%       handles that are thinner, or holes that are
+                                                  narrower
+  htloops measure foam.off --html foam.html       view the balls in a browser
 )";
 
 } // namespace

@@ -32,19 +32,19 @@ const std::map<std::string, Pair_order> orders = {{"size", Pair_order::SIZE},
 
 void add_table_options(CLI::App& command, Loops_options& options) {
   add_output(command, "--csv", "FILE.csv", options.csv_file,
-             "a row of numbers for each pair; one without pair for a mesh that has none, and\n"
-             "one with the error for a mesh that has no answer");
+             "a table with a row for each pair; a mesh without pairs has one row without a\n"
+             "pair, and a mesh that fails has one with the error");
   add_output(command, "--jsonl", "FILE.jsonl", options.jsonl_file,
-             "an object of JSON for each mesh, on a line: genus, sizes, times, error");
+             "a JSON object on one line for each mesh: genus, sizes, times, error");
   command.add_flag("--resume", options.do_resume,
-                   "continue the files of --csv and --jsonl where a call of many meshes "
-                   "was\ninterrupted: meshes that are in them are not done again");
+                   "continue the files of --csv and --jsonl after an interruption: meshes that "
+                   "are\nalready in them are skipped");
 }
 
 void add_channels_option(CLI::App& command, Loops_options& options) {
   add_output(command, "--channels", "FILE", options.channels_file,
-             "the ways through the holes, with the room along them: .pdb (the radius is the\n"
-             "B factor) and .bild for molecules, .csv; needs measures");
+             "the paths through the holes, with the clear radius along them: .pdb (radius as\n"
+             "B factor) and .bild for molecules, .csv; needs --measure");
 }
 
 void add_output_options(CLI::App& command, Loops_options& options) {
@@ -53,32 +53,32 @@ void add_output_options(CLI::App& command, Loops_options& options) {
   add_table_options(command, options);
   add_lines_option(command, options, "the loops");
   add_output(command, "--events", "FILE.json", options.events_file,
-             "what happens to the fronts of the first pass, as JSON");
+             "the splits and merges of the fronts of the first pass, as JSON");
   add_channels_option(command, options);
   add_output(command, "--layers", "FILE.ply", options.layers_file,
-             "the mesh with the layers of the first pass, and when its fronts came");
+             "the mesh with the layers and arrival times of the first pass");
   add_picture_options(command, options, "the loops");
   add_closeup_option(command, options);
   add_page_option(command, options, "the mesh and the loops");
   add_gltf_option(command, options, "the loops");
   add_part(command, "--moment", options.moment,
-           "the layers and fronts of the first pass, in place of the loops, in the picture\n"
-           "and the model: when this part of it had passed, 0 to 1");
+           "show the layers and fronts of the first pass instead of the loops, in the\n"
+           "picture and the model, at this fraction of its time, 0 to 1");
   add_view_options(command, options);
 }
 
 void add_jobs_option(CLI::App& command, Loops_options& options) {
   command
       .add_option("--jobs", options.number_of_jobs,
-                  "how many meshes at once, each in a thread of its own; default: 1")
+                  "number of meshes to process at once, each in its own thread; default: 1")
       ->option_text("N")
       ->check(CLI::Range(1, 1024));
 }
 
 void add_costs_option(CLI::App& command, Loops_options& options, const std::string& condition) {
   command.add_flag("--removal", options.has_costs,
-                   condition + "what it would take to remove each handle by itself, by\n" +
-                       "a cut and by a fill: the area and the volume that would change");
+                   condition + "the cost of removing each handle alone, by cut and by\n" +
+                       "fill: the area and the volume that would change");
 }
 
 void add_computation_options(CLI::App& command, Loops_options& options) {
@@ -88,80 +88,84 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
              names_of_backends());
   command.add_flag(
       "--literal", options.is_literal,
-      "with --backend reference: the rules of the paper to the letter, and no others;\n"
-      "the loops are not shortened, and named by --classify offset; ends with 1\n"
-      "where they lead to no loops");
+      "with --backend reference: follow the literal rules of the paper, and no others;\n"
+      "loops are not shortened, and are classified as by --classify offset; exit code\n"
+      "1 if the rules find no loops");
   add_threads_option(command, options);
   add_jobs_option(command, options);
   command
       .add_option("--seed", options.seed,
-                  "vertex to grow from, from 0 as in the file; default: the first")
+                  "vertex where the front starts, counted from 0; default: the first")
       ->option_text("VERTEX")
       ->check(why_no_count);
-  add_choice(command, "--basis", "KIND", options.basis,
-             "pure (handles bound inside and tunnels outside; the default) or\n"
-             "shortest (whatever side they bound on: for cutting and parametrization)",
-             {"pure", "shortest"});
-  command.add_flag("--waists", options.do_find_waists,
-                   "for each boundary curve its waist, too: a short loop of its class; the only\n"
-                   "curve of a component has none");
-  command.add_flag("--throats", options.do_find_throats,
-                   "all narrow places, not only a basis: closed geodesics that are shorter than\n"
-                   "the loops next to them. They are in place of the pairs in the CSV, lines,\n"
-                   "pictures and the page");
+  add_choice(
+      command, "--basis", "KIND", options.basis,
+      "pure (handle loops bound inside, tunnel loops outside; the default) or\n"
+      "shortest (loops may bound on either side or on none: for cutting and\nparametrization)",
+      {"pure", "shortest"});
+  command.add_flag(
+      "--waists", options.do_find_waists,
+      "also find the waist of each boundary curve, a short loop of its class; the only\n"
+      "boundary curve of a component has none");
+  command.add_flag(
+      "--throats", options.do_find_throats,
+      "find all throats, not only a basis: closed geodesics that are shorter than the\n"
+      "loops next to them. The CSV, lines, pictures and page show them instead of\n"
+      "the pairs");
   command
       .add_option("--through", options.through,
-                  "with --throats: those to which loops through these vertices tighten, too")
+                  "with --throats: add those to which loops through these vertices tighten")
       ->option_text("VERTEX,...")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(why_no_count);
   command.add_flag("--no-refine", options.do_not_refine,
-                   "keep the handles of the first pass: faster");
+                   "keep the handle loops of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,
-                   "do not tighten the loops, nor look for shorter ones: faster");
+                   "neither tighten the loops nor look for shorter ones: faster");
   command.add_flag("--no-coarsen", options.do_not_coarsen,
-                   "find the loops on the mesh itself, not on a coarse one of the same topology\n"
-                   "where that is as good: slower");
+                   "always find the loops on the mesh itself, never on a coarse mesh of the same\n"
+                   "topology: slower");
   command
       .add_option("--search-effort", options.search_effort,
-                  "how long to look for shorter loops in other classes, as a multiple of the\n"
-                  "vertices that are visited by default: 0 to 1000; default: 1")
+                  "effort of the search for shorter loops in other classes, as a multiple of the\n"
+                  "vertices visited by default: 0 to 1000; default: 1")
       ->option_text("FACTOR")
       ->check(CLI::Range(0., 1000.))
       ->check(why_not_finite);
   command
       .add_option("--time-budget", options.time_budget,
-                  "seconds after which no more shorter loops are looked for in other classes;\n"
-                  "what else there is to do is done: the loops are certified as ever")
+                  "stop the search for shorter loops in other classes after this many seconds;\n"
+                  "all other steps are completed, and the loops are certified as usual")
       ->option_text("SECONDS")
       ->check(why_not_finite);
   command.add_flag("--measure", options.is_to_measure,
-                   "how thick each handle is and how wide its hole: the largest balls that can be\n"
-                   "threaded around it in the material, and through it");
+                   "measure the thickness of each handle and the clear width of its hole: the\n"
+                   "diameters of the largest balls that fit around and through it");
   add_precision_option(command, options.precision);
   add_costs_option(command, options, "with --measure: ");
   add_choice(command, "--classify", "HOW", options.classifier,
-             "what tells handles from tunnels: linking (numbers, exact; the default)\n"
-             "or offset (change of length: faster, but no loop is made to bound)",
+             "how to tell handle loops from tunnel loops: linking (linking numbers, exact;\n"
+             "the default) or offset (change of length: faster, but loops need not bound)",
              {"linking", "offset"});
 }
 
 void add_listing_options(CLI::App& command, Listing_choice& choice) {
   add_order_option(command, choice.order);
   add_length(command, "--shorter-than", choice.shorter_than,
-             "pairs with a loop that is shorter; %: of the diagonal of the box");
-  add_length(command, "--longer-than", choice.longer_than, "pairs both loops of which are longer");
-  add_noise_option(command, choice.noise_below, "pairs");
-  add_box_option(command, choice.box, "pairs");
+             "only pairs with a loop shorter than this; %: of the diagonal of the bounding box");
+  add_length(command, "--longer-than", choice.longer_than,
+             "only pairs with both loops longer than this");
+  add_noise_option(command, choice.noise_below, "only pairs");
+  add_box_option(command, choice.box, "only pairs");
 }
 
 void add_display_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to show");
   add_listing_options(command, options.listing);
-  command.add_flag("--all", options.show_all, "all rows of a long table");
-  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors");
-  command.add_flag("-v,--verbose", options.is_verbose, "why no CUDA device was used, too");
+  command.add_flag("--all", options.show_all, "show all rows of a long table");
+  command.add_flag("-q,--quiet", options.is_quiet, "print only errors");
+  command.add_flag("-v,--verbose", options.is_verbose, "also print why no CUDA device was used");
   add_choice(command, "--color", "WHEN", options.colour, "auto, always or never; default: auto",
              {"auto", "always", "never"});
 }
@@ -182,8 +186,7 @@ void refuse_files_of_one_mesh(const Loops_options& options) {
       {"--seed", options.seed.has_value()}};
   for(const auto& [name, is_given] : given)
     if(is_given)
-      throw wrong_usage(std::string(name) +
-                        " is for one mesh; for several there are --jsonl and --csv");
+      throw wrong_usage(std::string(name) + " is for one mesh; for several, use --jsonl and --csv");
 }
 
 /// throws `Failure` if an option makes no sense.
@@ -275,20 +278,21 @@ Pair_order order_of(const std::string& word) { return orders.at(word); }
 void add_precision_option(CLI::App& command, std::string& precision) {
   command
       .add_option("--precision", precision,
-                  "the largest error of a measure, as a part of it, 0.1% to 20%; default: 1%")
+                  "largest relative error of a measure, 0.1% to 20%; default: 1%")
       ->option_text("P%");
 }
 
 double parse_precision(const std::string& text) {
   const double precision = parse_length("--precision", text).value_or(0.01);
   if(!(precision >= 0.001 && precision <= 0.2))
-    throw wrong_usage("--precision " + text + ": from 0.1% to 20%, such as 1%");
+    throw wrong_usage("--precision " + text + ": must be from 0.1% to 20%, such as 1%");
   return precision;
 }
 
 CLI::Option* add_noise_option(CLI::App& command, std::string& length, const std::string& what) {
   return add_length(command, "--noise-below", length,
-                    what + " that are thinner, or have a narrower hole; measures them");
+                    what +
+                        " that are thinner than this, or whose hole is narrower; measures\nthem");
 }
 
 void add_measure_options(CLI::App& command, Loops_options& options) {
@@ -317,25 +321,27 @@ void check_loops_options(const Loops_options& options) {
   choose_backend(options.backend);
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
-    throw wrong_usage("--literal goes with --backend reference");
+    throw wrong_usage("--literal needs --backend reference");
   parse_precision(options.precision);
   if(options.has_measures() && options.basis != "pure")
-    throw wrong_usage("measures are of handles and tunnels: not with --basis shortest");
+    throw wrong_usage(
+        "measures need handle and tunnel loops: they cannot be combined with --basis shortest");
   if(options.listing.order == "noise" && !options.has_measures())
     throw wrong_usage("--sort noise needs --measure");
   if(options.has_costs && !options.has_measures())
     throw wrong_usage("--removal needs --measure");
   if(options.time_budget && *options.time_budget < 0.)
-    throw wrong_usage("--time-budget is a number of seconds, 0 or more");
+    throw wrong_usage("--time-budget must be a number of seconds, 0 or more");
   if(!options.through.empty() && !options.do_find_throats)
-    throw wrong_usage("--through goes with --throats");
+    throw wrong_usage("--through needs --throats");
   check_suffix(options.layers_file, ".ply");
   check_channel_format(options.channels_file);
   if(!options.channels_file.empty() && !options.has_measures())
-    throw wrong_usage("--channels are of clear widths: it needs --measure");
+    throw wrong_usage("--channels shows clear widths: it needs --measure");
   if(options.moment && options.picture.file.empty() && options.gltf_file.empty())
-    throw wrong_usage(std::string("--moment says when to look at the layers: it needs ") +
-                      (has_pictures ? "--picture or --gltf" : "--gltf"));
+    throw wrong_usage(
+        std::string("--moment chooses a time at which to show the layers: it needs ") +
+        (has_pictures ? "--picture or --gltf" : "--gltf"));
   check_name(options.csv_file, "a table as CSV", {".csv"});
   check_name(options.jsonl_file, "lines of JSON", {".jsonl"});
   check_name(options.events_file, "events as JSON", {".json"});

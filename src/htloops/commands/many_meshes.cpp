@@ -178,7 +178,8 @@ void run_on_many_meshes(Loops_options options) {
     solve_all(options, printer);
   } catch(const Interrupted&) {
     if(!options.is_quiet && has_lasting_lines(options))
-      std::fputs("htloops: --resume continues after the meshes that are in the files\n", stderr);
+      std::fputs("htloops: use --resume to continue after the meshes that are in the files\n",
+                 stderr);
     throw;
   }
   printer.finish();

@@ -94,7 +94,7 @@ void check_has_name(const Named_file& file) {
 void check_is_no_option(const Named_file& output) {
   if(output.name.size() > 1 && output.name.front() == '-')
     throw wrong_usage(output.option + " " + printable(output.name) +
-                      " looks like two options; a file of that name is ./" + output.name);
+                      " looks like an option; for a file of that name, write ./" + output.name);
 }
 
 void check_picture(const Picture_options& picture) {
@@ -106,12 +106,12 @@ void check_picture(const Picture_options& picture) {
 void add_word_options(CLI::App& command, Picture_options& picture) {
   command
       .add_flag("--labels", picture.has_labels,
-                "with --picture: numbers beside the lines that are seen, the smallest first; of\n"
-                "handles diameters, too")
+                "with --picture: write numbers beside the visible lines, the smallest first; for\n"
+                "handles, the diameters too")
       ->needs("--picture");
   command
       .add_flag("--legend", picture.has_legend,
-                "with --picture: what the colours of the lines mean, and a scale, in corners")
+                "with --picture: add a key to the colors of the lines, and a scale")
       ->needs("--picture");
 }
 
@@ -155,8 +155,8 @@ void add_format_option(CLI::App& command, Mesh_options& options) {
   for(const std::string& ending : endings_of_meshes())
     formats.push_back(ending.substr(1));
   add_choice(command, "--format", "FORMAT", options.format,
-             "what it is, whatever the name of the mesh says; for - as a mesh, which is the\n"
-             "standard input: " +
+             "format of the mesh, whatever its file name; required if MESH is - (standard\n"
+             "input): " +
                  boost::algorithm::join(formats, " "),
              formats)
       ->group("What to read");
@@ -174,7 +174,7 @@ void add_repair_steps(CLI::App& command, const char* name, Remedies& remedies) {
   };
   command
       .add_option_function<std::vector<std::string>>(
-          name, take, "some steps of the repair instead of all, with commas between them")
+          name, take, "only these steps of the repair, separated by commas")
       ->option_text("STEP,...")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -188,9 +188,9 @@ void add_weld_option(CLI::App& command, Remedies& remedies) {
   command
       .add_option_function<std::string>(
           "--weld", take,
-          "make one vertex of those of open edges that are so near to each other; a\n"
-          "percentage is of the diagonal of the bounding box. Refused where the result\n"
-          "would be no surface")
+          "merge vertices of open edges that are at most this far apart; a percentage is\n"
+          "of the diagonal of the bounding box. Refused if the result\n"
+          "would not be a surface")
       ->option_text("L|P%")
       ->check([](const std::string& text) -> std::string {
         try {
@@ -202,21 +202,22 @@ void add_weld_option(CLI::App& command, Remedies& remedies) {
 }
 
 void add_remedy_options(CLI::App& command, Mesh_options& options) {
-  command.option_defaults()->group("If the mesh is not fit as it is");
+  command.option_defaults()->group("If the mesh is not acceptable as it is");
   command.add_flag("--triangulate", options.remedies.do_triangulate,
-                   "make triangles of faces with more corners");
+                   "split faces with more than three corners into triangles");
   command.add_flag("--repair", options.remedies.do_repair,
-                   "weld points, drop degenerate and duplicate faces, split edges and\n"
-                   "vertices with too many faces, turn faces over; says what it did");
+                   "weld points, drop degenerate and duplicate faces, split non-manifold edges\n"
+                   "and vertices, reorient faces; reports what it did");
   add_repair_steps(command, "--repair-steps", options.remedies);
   add_weld_option(command, options.remedies);
   add_output(command, "--write-mesh", "FILE", options.written_mesh_file,
-             "the mesh as it is then, which the answer is about:" + words_of_written_meshes());
+             "the mesh after these steps, which the results refer to:" + words_of_written_meshes());
 }
 
 Input_file input_of(const Mesh_options& options) {
   if(options.mesh_file == "-" && options.format.empty())
-    throw wrong_usage("the standard input has no name that tells its format: --format says it");
+    throw wrong_usage(
+        "the format of the standard input is not known from a name: give it with --format");
   return Input_file(options.mesh_file, options.format);
 }
 
@@ -229,7 +230,7 @@ void show_note_on_unit(const Mesh_options& options,
                        const std::string& file,
                        const File_facts& facts) {
   if(!options.is_quiet && facts.unit != Unit::NONE && !has_unit(file))
-    std::fprintf(stderr, "htloops: note: %s: its format cannot say that the unit is the %s\n",
+    std::fprintf(stderr, "htloops: note: %s: the format cannot store the unit (%s)\n",
                  file == "-" ? "the standard output" : printable(file).c_str(),
                  words_of(facts.unit).name);
 }
@@ -396,7 +397,8 @@ void add_picture_options(CLI::App& command,
   add_output(command, "--picture", "FILE.png", options.picture.file,
              "a picture of the mesh and " + what);
   command
-      .add_option("--size", options.picture.size, "of the picture, in pixels; default: 1600,1200")
+      .add_option("--size", options.picture.size,
+                  "size of the picture in pixels; default: 1600,1200")
       ->option_text("W,H")
       ->delimiter(',')
       ->expected(2)
@@ -404,7 +406,7 @@ void add_picture_options(CLI::App& command,
       ->check(why_not_finite)
       ->needs("--picture");
   add_part(command, "--opacity", options.picture.opacity,
-           "of the surface over lines behind it, 0 to 1: 1 hides them;\ndefault: " + opacity)
+           "opacity of the surface in front of lines, 0 to 1 (1 hides them);\ndefault: " + opacity)
       ->needs("--picture");
   if(has_words)
     add_word_options(command, options.picture);
@@ -413,9 +415,10 @@ void add_picture_options(CLI::App& command,
 void add_closeup_option(CLI::App& command, Common_options& options) {
   if(has_pictures)
     command
-        .add_option("--closeup", options.picture.closeup,
-                    "with --picture: one pair large, with what is before it cut away, and where\n"
-                    "it is")
+        .add_option(
+            "--closeup", options.picture.closeup,
+            "with --picture: show one pair enlarged, with what hides it cut away, and where\n"
+            "it is on the mesh")
         ->option_text("PAIR")
         ->check(why_no_count)
         ->needs("--picture");
@@ -423,7 +426,7 @@ void add_closeup_option(CLI::App& command, Common_options& options) {
 
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what) {
   add_output(command, "--html", "FILE.html", options.page_file,
-             "a page for a browser, to turn " + what + " in");
+             "a page for a browser that shows " + what);
 }
 
 void add_gltf_option(CLI::App& command, Common_options& options, const std::string& what) {
@@ -433,10 +436,10 @@ void add_gltf_option(CLI::App& command, Common_options& options, const std::stri
 
 void add_view_options(CLI::App& command, Common_options& options) {
   add_numbers(command, "--view", "X,Y,Z", options.view.from, 3,
-              "direction that is looked from; default: where most of the loops is seen, the small\n"
-              "ones above all, or arcs are spread out");
+              "direction to look from; default: the one that shows the loops best, the small\n"
+              "ones above all, or spreads the arcs most");
   add_numbers(command, "--up", "X,Y,Z", options.view.up, 3,
-              "direction that is upright; default: z, or another axis on which it stands");
+              "upward direction; default: z, or another axis on which the mesh stands");
 }
 
 void add_threads_option(CLI::App& command, Common_options& options) {
@@ -459,7 +462,7 @@ void check_common_options(const Common_options& options, void (*check_lines)(con
     if(is_zero(direction))
       throw wrong_usage(std::string(name) + " 0,0,0 is not a direction");
     if(!is_looked_at(options))
-      throw wrong_usage(std::string(name) + " says how to look at something: it needs " +
+      throw wrong_usage(std::string(name) + " sets the direction of view: it needs " +
                         (has_pictures ? "--picture or --html" : "--html"));
   }
   check_name(options.json_file, "JSON", {".json"});
@@ -477,9 +480,9 @@ void check_name(const std::string& file, const char* what, const std::vector<std
     return boost::algorithm::iequals(extension, end);
   };
   if(!extension.empty() && std::none_of(ends.begin(), ends.end(), is_extension))
-    throw wrong_usage("cannot write " + printable(file) + ": what is written there is " + what +
-                      ", and the name must end in " + boost::algorithm::join(ends, " or ") +
-                      ", or have no such end");
+    throw wrong_usage("cannot write " + printable(file) + ": the content is " + what +
+                      ", so the name must end in " + boost::algorithm::join(ends, " or ") +
+                      ", or have none of the known endings");
 }
 
 std::string why_no_count(const std::string& text) {
@@ -505,8 +508,8 @@ std::string why_negative(const std::string& text) {
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
   const std::string name = "the seed vertex " + std::to_string(number);
   if(number >= mesh.number_of_vertices())
-    throw wrong_usage(name + " is not one of the " + std::to_string(mesh.number_of_vertices()) +
-                      " vertices (they count from 0)");
+    throw wrong_usage(name + " is out of range: the mesh has " +
+                      std::to_string(mesh.number_of_vertices()) + " vertices (counted from 0)");
   const Mesh::Vertex_index v(number);
   if(mesh.is_isolated(v))
     throw wrong_usage(name + " belongs to no face");
@@ -534,7 +537,7 @@ std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box) {
     return std::nullopt;
   for(std::size_t i = 0; i < 3; ++i)
     if(!(box[i] <= box[i + 3]))
-      throw wrong_usage("--box: its least corner comes first, then its largest");
+      throw wrong_usage("--box: the lower corner comes first, then the upper one");
   return CGAL::Bbox_3(box[0], box[1], box[2], box[3], box[4], box[5]);
 }
 
@@ -549,7 +552,7 @@ parse_length(const std::string& option, const std::string& text, double whole) {
   Text_source cursor(option, number);
   if(!cursor.read(length) || cursor.skip_to_content() || !(length > 0.) || !std::isfinite(length))
     throw wrong_usage(option + " " + text +
-                      ": not a length, such as 0.25, nor a percentage of the " +
+                      ": neither a length, such as 0.25, nor a percentage of the " +
                       "diagonal of the bounding box, such as 3%");
   return is_percentage ? length / 100. * whole : length;
 }

@@ -71,7 +71,7 @@ void check_options(const Reeb_command_options& options) {
   check_common_options(options);
   choose_backend(options.backend);
   if(options.picture.has_tubes && !is_drawn_inside(options))
-    throw wrong_usage("--tubes needs the radii of lines that are drawn inside");
+    throw wrong_usage("--tubes needs radii, which only --drawing inside has");
   check_name(options.csv_file, "a table as CSV", {".csv"});
 }
 
@@ -207,62 +207,61 @@ void add_output_options(CLI::App& command, Reeb_command_options& options) {
   add_json_option(command, options, "the graph");
   add_lines_option(command, options, "the arcs");
   add_output(command, "--graph", "FILE", options.graph_files,
-             "nodes and arcs: .graphml .dot; repeatable");
+             "the nodes and arcs as a graph: .graphml .dot; repeatable");
   add_output(command, "--parts", "FILE.ply", options.parts_file,
-             "the mesh with vertices coloured by arc");
-  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
+             "the mesh with vertices colored by arc");
+  add_output(command, "--csv", "FILE.csv", options.csv_file, "a table with a row for each arc");
   add_picture_options(command, options, "the graph", true,
                       formatted("%g", opacity_around_bones_in_pictures));
   add_page_option(command, options, "the mesh and the graph");
   add_gltf_option(command, options, "the arcs");
   command.add_flag("--tubes", options.picture.has_tubes,
-                   "arcs as thick as the solid, in the picture and as glTF");
+                   "draw arcs as thick as the solid, in the picture and the glTF model");
   add_view_options(command, options);
 }
 
 void add_computation_options(CLI::App& command, Reeb_command_options& options) {
   command.option_defaults()->group("How to compute");
-  CLI::Option* seed = command
-                          .add_option("--seed", options.seeds,
-                                      "vertices to diffuse from; default: handle loops, or an end")
-                          ->option_text("VERTEX,...")
-                          ->delimiter(',')
-                          ->check(why_no_count)
-                          ->allow_extra_args(false);
-  CLI::Option* height = add_numbers(command, "--height", "X,Y,Z", options.height, 3,
-                                    "take the height in a direction, not a diffusion")
-                            ->excludes(seed);
-  CLI::Option* values =
+  CLI::Option* seed =
       command
-          .add_option("--values", options.values_file, "take a number for each vertex from a file")
-          ->option_text("FILE")
-          ->type_name(input_file)
-          ->excludes(seed)
-          ->excludes(height);
+          .add_option("--seed", options.seeds,
+                      "vertices where the diffusion starts; default: handle loops, or an end")
+          ->option_text("VERTEX,...")
+          ->delimiter(',')
+          ->check(why_no_count)
+          ->allow_extra_args(false);
+  CLI::Option* height = add_numbers(command, "--height", "X,Y,Z", options.height, 3,
+                                    "use the height in this direction instead of a diffusion")
+                            ->excludes(seed);
+  CLI::Option* values = command
+                            .add_option("--values", options.values_file,
+                                        "use the values of this file, a number for each vertex")
+                            ->option_text("FILE")
+                            ->type_name(input_file)
+                            ->excludes(seed)
+                            ->excludes(height);
   add_choice(command, "--backend", "NAME", options.backend,
-             "of the diffusion: auto, host, cuda or reference; default: auto, a CUDA device if "
-             "there is one",
+             "backend of the diffusion: auto, host, cuda or reference; default: auto, a CUDA\n"
+             "device if there is one",
              names_of_backends())
       ->excludes(height)
       ->excludes(values);
   add_part(command, "--simplify", options.threshold,
-           "leaves to take off, as part of the whole, 0 to 1; default: 0.03");
+           "remove leaves smaller than this fraction of the whole, 0 to 1; default: 0.03");
   add_choice(command, "--measure", "NAME", options.measure,
-             "limbs, persistence, length, area or vertices; default: limbs for a diffusion, "
-             "else persistence",
+             "size of a leaf: limbs, persistence, length, area or vertices; default: limbs\n"
+             "for a diffusion, otherwise persistence",
              reeb_measures());
   command
-      .add_option(
-          "--shortest-arc", options.shortest_arc,
-          "arcs between saddles that are shorter than K times their radius are contracted,\n"
-          "cycles never; default: 2, as long as thick, with --parts, else 0")
+      .add_option("--shortest-arc", options.shortest_arc,
+                  "contract arcs between saddles that are shorter than K times their radius, but\n"
+                  "never cycles; default: 2 with --parts (as long as thick), otherwise 0")
       ->option_text("K")
       ->check(why_negative);
-  add_choice(
-      command, "--drawing", "NAME", options.drawing,
-      "inside, in the middle of the solid, or means, through the means of contours, at once;\n"
-      "default: inside where there are lines, a picture, a page or glTF",
-      std::vector<std::string>{"inside", "means"});
+  add_choice(command, "--drawing", "NAME", options.drawing,
+             "inside (in the middle of the solid) or means (through the centers of contours:\n"
+             "faster); default: inside if lines, a picture, a page or glTF are written",
+             std::vector<std::string>{"inside", "means"});
   add_threads_option(command, options);
 }
 
@@ -291,8 +290,8 @@ void add_reeb_command(CLI::App& app, Command& command) {
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
   reeb->option_defaults()->group("What to show");
-  reeb->add_flag("--all", options->show_all, "all rows of a long table");
-  reeb->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
+  reeb->add_flag("--all", options->show_all, "show all rows of a long table");
+  reeb->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*reeb, reeb_examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });
 }

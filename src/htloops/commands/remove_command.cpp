@@ -77,7 +77,7 @@ std::vector<std::size_t> pairs_of_noise(const Measures& measures, double below) 
     if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
       numbers.push_back(i);
     else if(!noise)
-      std::fprintf(stderr, "htloops: pair %zu stays, as it is not measured: %s\n", i,
+      std::fprintf(stderr, "htloops: pair %zu is kept because it could not be measured: %s\n", i,
                    measures[i].why.c_str());
   return numbers;
 }
@@ -184,8 +184,9 @@ table_and_summary(const Remove_options& options, const Removal_report& report, b
 [[noreturn]] void ask_for_choice(const Remove_options& options, const Removal_report& report) {
   if(!options.is_quiet)
     show_text(table_and_summary(options, report, true), false);
-  throw wrong_usage("this is what --all would do, and nothing is written: give --all, or say which "
-                    "handles, as --shorter-than 3% or --pairs 0,2 do");
+  throw wrong_usage(
+      "this is what --all would do; nothing was written: give --all, or choose handles, "
+      "for example by --shorter-than 3% or --pairs 0,2");
 }
 
 void run(const Remove_options& options) {
@@ -220,30 +221,30 @@ void run(const Remove_options& options) {
                   table_and_summary(options, told.report, options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
                   words_of_time(removal, loops_seconds, read_seconds) +
-                  (options.is_dry_run ? "this was a dry run: no mesh is written\n" : ""),
+                  (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
               is_output_taken(options));
 }
 
 constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
 
-A handle is cut, along its handle loop, or its hole is filled, along its tunnel loop; the ends
-are closed by discs that meet the surface nowhere else. The rest of the mesh stays as it is,
-numbers and colours of its vertices, too, where the file that is written has room for them.
-A handle that neither can be done to, or where that would be no repair, is refused, by name and
-with the number that says so; that is no failure. Who does not say which handles sees them all.
+A handle is cut along its handle loop, or its hole is filled along its tunnel loop. The ends are
+closed by caps that meet the surface only at their rims. The rest of the mesh is unchanged; the
+numbers and colors of its vertices are kept if the output format can store them.
+A handle is refused if neither way is possible, or if the result would not be a repair. The table
+names it with the reason; this is not an error. Without a selection, all handles are listed.
 )";
 
 constexpr char remove_examples[] = R"(Examples:
-  htloops remove scan.ply                         what there is to remove
+  htloops remove scan.ply                         list the handles
   htloops remove scan.ply -o clean.ply --all      all handles
   htloops remove scan.ply -o clean.ply --shorter-than 3%
-                                                  the small ones
+                                                  those with a short loop
   htloops remove part.stl -o part.off --pairs 0:fill,3:fill
-                                                  two bores
+                                                  fill two holes
   htloops remove part.stl -o part.off --bores 3:8
-                                                  those from 3 to 8 wide
+                                                  bores with a diameter from 3 to 8
   htloops remove scan.ply --genus 2 --dry-run --html look.html
-                                                  what would go, if two are to stay
+                                                  preview: keep the two largest handles
 )";
 
 } // namespace

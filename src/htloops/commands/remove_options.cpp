@@ -41,8 +41,9 @@ std::pair<std::size_t, std::optional<Removal_method>> parse_pair(const std::stri
       colon == std::string::npos ? methods.end() : methods.find(text.substr(colon + 1));
   if(error != std::errc() || end != digits.data() + digits.size() ||
      (colon != std::string::npos && way == methods.end()))
-    throw wrong_usage("--pairs: '" + text +
-                      "' is neither the number of a pair nor one with a way, as 1:fill or 2:cut");
+    throw wrong_usage(
+        "--pairs: '" + text +
+        "' is neither the number of a pair, such as 5, nor a number with a way, such as 1:fill");
   if(way == methods.end())
     return {number, std::nullopt};
   return {number, way->second};
@@ -66,7 +67,7 @@ std::pair<double, double> parse_range(const std::string& text) {
                most = parse_diameter(text.substr(colon + 1))
                           .value_or(std::numeric_limits<double>::infinity());
   if(!(least <= most))
-    throw wrong_usage("--bores: the least diameter comes first, then the largest");
+    throw wrong_usage("--bores: the smallest diameter comes first, then the largest");
   return {least, most};
 }
 
@@ -75,17 +76,17 @@ void check_length(const std::string& option, const std::string& text, double dia
   if(!length || *length <= diagonal)
     return;
   const bool has_sign = text.back() == '%';
-  throw wrong_usage(option + " " + text + " is more than the diagonal of the mesh's box, " +
+  throw wrong_usage(option + " " + text + " is more than the diagonal of the bounding box, " +
                     formatted("%.6g", diagonal) +
-                    (has_sign ? ": too long for a small handle" : "; was " + text + "% meant?") +
-                    " --yes does it anyway");
+                    (has_sign ? ": too long for a small handle" : "; did you mean " + text + "%?") +
+                    " Use --yes to do it anyway");
 }
 
 CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
   return command
       .add_option("--bores", range,
-                  "round bores, of a diameter in a range, in the unit of the\n"
-                  "coordinates: 3:8, 3: or :8; without one, all round bores")
+                  "round bores with a diameter in this range, in the unit of the\n"
+                  "coordinates: 3:8, 3: or :8; without a range, all round bores")
       ->option_text("[MIN:MAX]");
 }
 
@@ -93,26 +94,26 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to remove");
   CLI::Option* selections[] = {
       command.add_flag("--all", options.are_all_meant, "all handles"),
-      command.add_option("--genus", options.genus, "the smallest, until genus G is left")
+      command.add_option("--genus", options.genus, "the smallest handles, until genus G is left")
           ->option_text("G")
           ->check(why_no_count),
       add_length(command, "--shorter-than", options.shorter_than,
-                 "handles with a loop that is shorter: a length around, in the\n"
-                 "unit of the mesh; %: of the diagonal of the box"),
+                 "handles with a loop shorter than this: a circumference, in the\n"
+                 "unit of the mesh; %: of the diagonal of the bounding box"),
       command
           .add_option("--pairs", options.pairs,
-                      "those of some pairs, as 'htloops loops' counts;\n"
-                      "each may have a way of its own: 1:fill,2:cut,5")
+                      "handles of these pairs, as numbered by 'htloops loops';\n"
+                      "each may have its own way: 1:fill,2:cut,5")
           ->option_text("I[:WAY],...")
           ->delimiter(',')
           ->allow_extra_args(false),
       add_box_option(command, options.box, "handles"),
       add_length(command, "--necks", options.necks,
-                 "handles with a loop that is shorter, and necks:\n"
-                 "shorter loops at which shells come apart"),
+                 "handles with a loop shorter than this, and necks: loops\n"
+                 "shorter than this at which shells separate"),
       add_length(command, "--channels", options.channels,
-                 "leaks from an outer wall to an inner one, shorter around,\n"
-                 "of which the inner wall comes off by that"),
+                 "channels between an outer and an inner wall, shorter around\n"
+                 "than this, whose removal separates the inner wall"),
       add_noise_option(command, options.noise_below, "handles"),
       add_bores_option(command, options.bores),
   };
@@ -126,20 +127,20 @@ void add_selection_options(CLI::App& command, Remove_options& options) {
 void add_computation_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("How to remove");
   add_choice(command, "--by", "WAY", options.method,
-             "cut, fill, or smallest-change, the default: what\n"
-             "changes the shape less, or as it can be done",
+             "cut, fill or smallest-change (the default): the way\n"
+             "that changes the shape less, or the only possible one",
              methods);
   command.add_flag("--force", options.is_forced,
-                   "also where that is no repair: where the bounding box\n"
-                   "would grow, a cap be far larger than its hole, ...");
+                   "remove handles even if that is not a repair: if the bounding\n"
+                   "box would grow, a cap would be far larger than its hole, ...");
   add_precision_option(command, options.precision);
   command.add_flag(
       "--yes", options.is_sure,
-      "also where --shorter-than, --necks, --channels or --noise-below is more than the\n"
-      "diagonal of the box: then it may be a percentage without %");
+      "accept a length of --shorter-than, --necks, --channels or --noise-below that is\n"
+      "more than the diagonal of the bounding box (usually a forgotten %)");
   command
       .add_option("--loops", options.loops_file,
-                  "take the pairs from what 'htloops loops MESH -o' wrote")
+                  "take the pairs from a file written by 'htloops loops MESH -o'")
       ->option_text("LOOPS.json")
       ->type_name(input_file);
   add_threads_option(command, options);
@@ -148,25 +149,26 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
 void add_output_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to write");
   add_output(command, "-o,--output", "OUT", options.result_file,
-             "the mesh; - is standard output, OFF; else" + words_of_written_meshes());
-  command.add_flag("--dry-run", options.is_dry_run, "all but the mesh");
+             "the resulting mesh; - writes OFF to standard output; else" +
+                 words_of_written_meshes());
+  command.add_flag("--dry-run", options.is_dry_run, "do everything except writing the mesh");
   add_output(command, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_output(command, "--map", "FILE.json", options.map_file,
-             "what each vertex and face was before, as JSON");
+             "the original vertex or face of each vertex and face, as JSON");
   add_output(command, "--csv", "FILE.csv", options.csv_file,
-             "a row of numbers for each handle, and what was done to it");
-  add_picture_options(command, options, "the loops of what is removed");
+             "a table with a row for each handle, and what was done to it");
+  add_picture_options(command, options, "the loops of the removed handles");
   add_closeup_option(command, options);
   add_page_option(command, options, "the mesh before and after");
-  add_gltf_option(command, options, "the loops of what is removed");
+  add_gltf_option(command, options, "the loops of the removed handles");
   add_view_options(command, options);
 }
 
 void add_display_options(CLI::App& command, Remove_options& options) {
   command.option_defaults()->group("What to show");
   add_order_option(command, options.order);
-  command.add_flag("--all-rows", options.show_all, "all rows of a long table");
-  command.add_flag("-q,--quiet", options.is_quiet, "nothing but errors");
+  command.add_flag("--all-rows", options.show_all, "show all rows of a long table");
+  command.add_flag("-q,--quiet", options.is_quiet, "print only errors");
 }
 
 } // namespace
@@ -192,13 +194,14 @@ void check_remove_options(const Remove_options& options) {
   if(!options.bores.empty()) {
     parse_range(options.bores);
     if(methods.at(options.method) == Removal_method::CUT)
-      throw wrong_usage("--bores are filled: not with --by cut");
+      throw wrong_usage("--bores fills bores: it cannot be combined with --by cut");
   }
   if(!options.channels.empty() && methods.at(options.method) == Removal_method::CUT)
-    throw wrong_usage("--channels are filled: not with --by cut");
+    throw wrong_usage("--channels fills channels: it cannot be combined with --by cut");
   if(!options.map_file.empty() && options.is_dry_run)
-    throw wrong_usage("--map says what became of the vertices of a mesh that is written: not with "
-                      "--dry-run");
+    throw wrong_usage(
+        "--map describes the vertices of the written mesh: it cannot be combined with "
+        "--dry-run");
   if(options.order == "noise" && options.noise_below.empty())
     throw wrong_usage("--sort noise needs --noise-below, which measures the handles");
   check_name(options.csv_file, "a table as CSV", {".csv"});

@@ -46,7 +46,8 @@ bool are_triangles(const Soup& soup) {
 void require_fit(const std::string& file, const std::vector<Defect>& defects) {
   if(defects.empty())
     return;
-  std::string text = printable(file) + " is not an oriented manifold of triangles after that:";
+  std::string text =
+      printable(file) + " is still not an oriented triangle manifold after the repair:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);
@@ -73,33 +74,32 @@ void run(const Repair_options& options) {
 }
 
 constexpr char repair_description[] =
-    R"(Makes an oriented manifold of a mesh that is none: says what it did, and writes the mesh.
+    R"(Turns any mesh into an oriented manifold: reports what it did, and writes the mesh.
 
-The steps, in their order; --steps takes some of them:
-  degenerate  drop faces that name a vertex twice (the steps after 'weld' do that, too)
-  weld        make one vertex of those at exactly the same place, along open edges
-  duplicates  drop faces that are there several times, and flaps without thickness
+The steps, in order (choose some of them with --steps):
+  degenerate  drop faces that use a vertex twice (also done by the steps after 'weld')
+  weld        merge vertices at exactly the same place, along open edges
+  duplicates  drop repeated faces, and flaps without thickness
   one-sided   drop components that are not orientable, if there are others
   pillows     drop components of two faces
   orient      turn faces over until neighbors agree
   split       split edges with more than two faces, vertices with more than one fan
-              of them, and edges beside others
+              of faces, and edges beside others
 
-Vertices keep their numbers, new ones come after them, and those that no face uses any
-more stay. What is said is the difference between the two meshes: vertices that are
-welded and then split again as they were are not counted.
+Vertices keep their numbers; new ones follow them, and unused ones stay. The report compares
+the two meshes: a vertex that is welded and split again as before is not counted.
 )";
 
 constexpr char repair_examples[] =
-    R"(Exit codes: 0 the result is fit for all commands; 4 it is still unfit: it is written all
-the same, if it has triangles only.
+    R"(Exit codes: 0 all commands accept the result; 4 they do not: it is written all the same
+if it has only triangles.
 
 Examples:
   htloops repair soup.stl -o sound.off            all steps
-  htloops repair soup.obj --triangulate --dry-run what would be done
+  htloops repair soup.obj --triangulate --dry-run report only
   htloops repair soup.off --steps weld,orient -o welded.off
   htloops repair scan.stl --weld 0.001% -o sound.stl
-                                                  points are nearly at the same place
+                                                  also weld points that are close together
 )";
 
 } // namespace
@@ -108,16 +108,16 @@ void add_repair_command(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Repair_options>();
   options->remedies.do_repair = true;
   CLI::App* repair = app.add_subcommand("repair", repair_description)->group("Commands");
-  add_mesh_argument(*repair, *options, mesh_kinds("a mesh, fit or not"));
+  add_mesh_argument(*repair, *options, mesh_kinds("any mesh"));
   repair->option_defaults()->group("What to do");
   add_output(*repair, "-o,--output", "OUT", options->written_mesh_file,
-             "the mesh that it becomes:" + words_of_written_meshes());
-  repair->add_flag("--dry-run", options->is_dry_run, "say what would be done, write nothing");
+             "the repaired mesh:" + words_of_written_meshes());
+  repair->add_flag("--dry-run", options->is_dry_run, "report what would be done, write nothing");
   repair->add_flag("--triangulate", options->remedies.do_triangulate,
-                   "make triangles of faces with more corners, too");
+                   "also split faces with more than three corners into triangles");
   add_repair_steps(*repair, "--steps", options->remedies);
   add_weld_option(*repair, options->remedies);
-  repair->add_flag("-q,--quiet", options->is_quiet, "nothing but errors")->group("What to show");
+  repair->add_flag("-q,--quiet", options->is_quiet, "print only errors")->group("What to show");
   complete_help(*repair, repair_examples);
   repair->callback([options, &command] { command = [options] { run(*options); }; });
 }

@@ -140,19 +140,19 @@ void add_output_options(CLI::App& command, Skeleton_command_options& options) {
   add_json_option(command, options, "the skeleton");
   add_lines_option(command, options, "the arcs", ".swc .vtp .binary.vtp .obj .ply .polylines.txt");
   for(const char* format : {"swc", "vtp"})
-    add_named_format(command, format, options.lines_files, "as --lines with this ending");
+    add_named_format(command, format, options.lines_files, "same as --lines with this ending");
   add_output(command, "--graph", "FILE", options.graph_files,
-             "points and edges: .graphml .dot; repeatable");
-  add_named_format(command, "graphml", options.graph_files, "as --graph with this ending");
+             "the points and edges as a graph: .graphml .dot; repeatable");
+  add_named_format(command, "graphml", options.graph_files, "same as --graph with this ending");
   add_output(command, "--parts", "FILE.ply", options.parts_file,
-             "the mesh with vertices coloured by arc");
-  add_output(command, "--csv", "FILE.csv", options.csv_file, "a row of numbers for each arc");
+             "the mesh with vertices colored by arc");
+  add_output(command, "--csv", "FILE.csv", options.csv_file, "a table with a row for each arc");
   add_picture_options(command, options, "the skeleton", true,
                       formatted("%g", opacity_around_bones_in_pictures));
   add_page_option(command, options, "the mesh and the skeleton");
   add_gltf_option(command, options, "the arcs");
   command.add_flag("--tubes", options.picture.has_tubes,
-                   "arcs as thick as the solid, in the picture and as glTF");
+                   "draw arcs as thick as the solid, in the picture and the glTF model");
   add_view_options(command, options);
 }
 
@@ -160,8 +160,8 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
   command.option_defaults()->group("How to compute");
   command
       .add_option("--shortest-limb", options.skeleton.shortest_limb,
-                  "limbs that are shorter than K times the radius of their base are left out,\n"
-                  "cycles never; default: 1.2")
+                  "leave out limbs that are shorter than K times the radius at their base;\n"
+                  "cycles are always kept; default: 1.2")
       ->option_text("K")
       ->check(why_negative);
   add_threads_option(command, options);
@@ -169,21 +169,21 @@ void add_computation_options(CLI::App& command, Skeleton_command_options& option
 
 constexpr char skeleton_description[] = R"(Computes a curve skeleton of a triangle mesh.
 
-Its lines run in the middle of the solid inside the surface, with the radius of the largest ball
-inside at each point. Each connected surface of genus g has a connected skeleton with g
-independent cycles; boundary curves are inlets, each of which has an end at its middle. That all
-edges lie strictly inside, that none meets another, and that the cycles are a basis of H1 of the
-solid is proved in exact arithmetic before anything is said, unless the mesh crosses itself: then
-the skeleton is written with the reason why nothing is proved.
+Its arcs run in the middle of the solid inside the surface. Each point has the radius of the
+largest ball inside. A connected surface of genus g has a connected skeleton with g independent
+cycles. Boundary curves are inlets, each with an end of the skeleton at its middle.
+Exact arithmetic certifies that all edges lie strictly inside, that no two of them cross, and
+that the cycles are a basis of H1 of the solid. If the mesh crosses itself, the skeleton is
+written uncertified, with the reason.
 )";
 
 constexpr char skeleton_examples[] = R"(Examples:
   htloops skeleton chair.off --picture chair.png --legend
-                                                  a look at it
-  htloops skeleton vessel.stl --lines vessel.vtp  centre lines with radii for ParaView
-  htloops skeleton neuron.ply --lines neuron.swc  the same as trees, each cycle cut
+                                                  a picture with a key
+  htloops skeleton vessel.stl --lines vessel.vtp  centerlines with radii for ParaView
+  htloops skeleton neuron.ply --lines neuron.swc  the same as trees, with each cycle cut
   htloops skeleton chair.off -o chair.json && htloops check chair.off chair.json
-                                                  checked again from the two files alone
+                                                  check again from the two files alone
 )";
 
 } // namespace
@@ -196,8 +196,8 @@ void add_skeleton_command(CLI::App& app, Command& command) {
   add_remedy_options(*skeleton, *options);
   add_computation_options(*skeleton, *options);
   skeleton->option_defaults()->group("What to show");
-  skeleton->add_flag("--all", options->show_all, "all rows of a long table");
-  skeleton->add_flag("-q,--quiet", options->is_quiet, "nothing but errors");
+  skeleton->add_flag("--all", options->show_all, "show all rows of a long table");
+  skeleton->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*skeleton, skeleton_examples);
   skeleton->callback([options, &command] { command = [options] { run(*options); }; });
 }

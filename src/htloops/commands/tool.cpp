@@ -90,7 +90,7 @@ std::string nearest(const std::string& unknown, const std::vector<std::string>& 
 /// meant, and which help tells more. For `CLI::App::failure_message()`.
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   const CLI::App& command = begun_command(*app);
-  const std::string help = "\n'" + name_of(command) + " --help' tells what there is\n";
+  const std::string help = "\nsee '" + name_of(command) + " --help'\n";
   const std::vector<std::string> unknown = app->remaining(true);
   if(unknown.empty())
     return "htloops: " + printable_lines(error.what()) + help;
@@ -99,7 +99,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   const std::string meant = command.get_parent() == nullptr && is_named_as_mesh(word)
                                 ? name_of(command) + " loops " + printable(word)
                                 : nearest(word, words_of(command));
-  return "htloops: '" + printable(word) + "' is not understood" +
+  return "htloops: '" + printable(word) + "' is not a known command or option" +
          (meant.empty() ? "" : "; did you mean '" + meant + "'?") + help;
 }
 
@@ -110,30 +110,30 @@ Outcome interrupted() {
   if(interrupting_signal() == SIGPIPE) // who read has enough
     return {128 + SIGPIPE, ""};
 #endif
-  return {128 + interrupting_signal(), "interrupted, nothing more is written"};
+  return {128 + interrupting_signal(), "interrupted: no further files are written"};
 }
 
 constexpr char tool_description[] =
-    "Finds handle and tunnel loops, Reeb graphs and curve skeletons of triangle "
-    "meshes, and cuts them open.\n";
+    "Finds handle and tunnel loops, Reeb graphs and curve skeletons of triangle\n"
+    "meshes. Measures, removes, cuts and repairs.\n";
 
 constexpr char tool_footer[] =
-    R"(Exit codes: 0 done, 1 no certified answer (or no memory to find it), 2 wrong usage or
-  unwritable output, 3 a file cannot be read, 4 the mesh is not an oriented manifold of
-  triangles, 5 the backend asked for is not there; 128 and the
-  number of the signal if interrupted: 130 by Ctrl-C.
+    R"(Exit codes: 0 success, 1 no certified answer (or out of memory), 2 wrong usage or output
+  that cannot be written, 3 a file cannot be read, 4 the mesh is not an oriented triangle
+  manifold, 5 the chosen backend is not available; 128 plus the number of the signal if
+  interrupted (130 after Ctrl-C).
 
 Examples:
-  htloops generate torus -o torus.off             makes a mesh to try
-  htloops loops torus.off -o torus.json           finds its loops
-  htloops measure torus.off                       tells how thick and how wide it is
-  htloops check torus.off torus.json              checks them
-  htloops reeb torus.off --picture reeb.png       draws its Reeb graph
-  htloops skeleton torus.off --lines torus.vtp    finds a curve skeleton inside
-  htloops cut torus.off -o open.obj               cuts it open to a disk
-  htloops remove torus.off -o ball.off --all      removes its handle
-  htloops repair soup.stl -o sound.off            makes a manifold of a mesh that is none
-  htloops loops --help                            says more of a command
+  htloops generate torus -o torus.off             make a mesh to try
+  htloops loops torus.off -o torus.json           find its loops
+  htloops measure torus.off                       measure its thickness and clear width
+  htloops check torus.off torus.json              check them
+  htloops reeb torus.off --picture reeb.png       draw its Reeb graph
+  htloops skeleton torus.off --lines torus.vtp    find its curve skeleton
+  htloops cut torus.off -o open.obj               cut it open to a disk
+  htloops remove torus.off -o ball.off --all      remove its handle
+  htloops repair soup.stl -o sound.off            turn any mesh into a manifold
+  htloops loops --help                            show the help of a command
 )";
 
 int report(int code, const std::string& message) {
