@@ -113,7 +113,7 @@ std::size_t row_of(std::size_t pair, const htl_scene::Scene& scene) {
   const auto row = std::find(numbers.begin(), numbers.end(), pair);
   if(row == numbers.end())
     throw wrong_usage("--closeup " + std::to_string(pair) +
-                      ": there is no such pair among those that are listed");
+                      ": this pair is not among the listed ones");
   return static_cast<std::size_t>(row - numbers.begin());
 }
 
