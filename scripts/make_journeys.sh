@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Goes the journeys of the manual: makes the meshes that they begin with, calls the commands that the
-# manual tells, and draws its pictures. Builds htloops first; needs Python, or PYTHON, with NumPy, SciPy
+# Draws the pictures of the README: makes the meshes that the eight journeys begin with, and calls the commands that the
+# guides explain. Builds htloops first; needs Python, or PYTHON, with NumPy, SciPy
 # and Pillow.
 #
 #   scripts/make_journeys.sh [FOLDER]
