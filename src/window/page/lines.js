@@ -36,26 +36,22 @@ class Lines {
 
   // Finds what may be seen in a picture of that size.
   begin(view, size, detail, pixelRatio) {
-    const { camera, placing, lineWidth } = view, step = Math.max(...placing.scale);
+    const { camera, placing, lineWidth } = view, planes = sides(camera.matrix().columns);
+    const step = Math.max(...placing.scale); // of radii
     const pixel = 2 * camera.distance * camera.extent[1] / size[1]; // where one looks at
-    Object.assign(this, { view, size, pixelRatio, pixel, planes: sides(camera.matrix().columns) });
+    const rim = 4 * lineWidth * pixelRatio * pixel;
+    Object.assign(this, { view, size, pixelRatio, pixel, step });
     this.chosen = this.details.find(({ tolerance }) => detail.isCoarse || tolerance * step <= pixel / 2);
-    this.runs = [this.runsOf(state => state > 0), this.runsOf(state => state === 255)];
-  }
-
-  runsOf(isWanted) {
-    const { planes, states, view: { placing, lineWidth } } = this, step = Math.max(...placing.scale);
-    const aside = 4 * lineWidth * this.pixelRatio * this.pixel;
-    return runsOf(this.chosen.lines, line => {
+    this.runs = [state => state > 0, state => state === 255].map(isWanted => runsOf(this.chosen.lines, line => {
       const { middle, half } = placing.box(line);
-      return isWanted(states[line.index]) &&
-             meetsAll(planes, { middle, half: half.map(x => x + line.radius * step + aside) });
-    });
+      return isWanted(this.states[line.index]) &&
+             meetsAll(planes, { middle, half: half.map(x => x + line.radius * step + rim) });
+    }));
   }
 
   // `wanted`: 0 for all that is shown, 1 for what is lit, 2 for numbers in place of colours; `isCore`: without rims.
   draw(depth, wanted, strength, isCore = false) {
-    const { gl, renderer, view: { camera, lineWidth, isThick, placing }, isRound } = this;
+    const { gl, renderer, view: { camera, lineWidth, isThick }, isRound } = this;
     const uniforms = renderer.use(renderer.programs.line), { depth: factor, offset } = camera.matrix();
     const pixels = camera.distance / this.pixel; // of a unit of length, at the depth 1
     gl.uniform2fv(uniforms.size, this.size);
@@ -63,7 +59,7 @@ class Lines {
     gl.uniform1f(uniforms.strength, strength);
     gl.uniform1i(uniforms.wanted, wanted);
     gl.uniform1f(uniforms.least, isCore ? 0.98 : wanted === 2 || strength < 1 || isRound ? 0.5 : 0.02);
-    gl.uniform1f(uniforms.thick, isThick && isRound ? Math.max(...placing.scale) * pixels : 0);
+    gl.uniform1f(uniforms.thick, isThick && isRound ? this.step * pixels : 0);
     gl.uniform3f(uniforms.round, factor, offset, isRound ? pixels : 0);
     gl.uniform1i(uniforms.points, 1);
     gl.activeTexture(gl.TEXTURE1);
