@@ -1,4 +1,4 @@
-"""The commands and the programs of the guides do what a reader expects: they run."""
+"""The commands and the programs of the guides run, and print what the guides show."""
 
 import csv
 import importlib.util
@@ -10,14 +10,14 @@ import sys
 
 import pytest
 
-from guides import DATA, GUIDES, commands_of, programs_of
+from guides import DATA, GUIDES, first_line_not_in, steps_of
 
 by_name = pytest.mark.parametrize("guide", GUIDES, ids=lambda guide: guide.stem)
 
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory):
-    """By guide: the folder in which its commands were run, and the first of them that failed."""
+    """By guide: the folder in which its steps were done, and the first thing in it that was not as it says."""
     if "HTLOOPS" not in os.environ:
         pytest.skip("HTLOOPS names no tool")
     tool = tmp_path_factory.mktemp("tool")
@@ -36,34 +36,51 @@ def folders(tmp_path_factory):
 
 
 def failure(guide, folder, environment):
-    for command, code in commands_of(guide):
-        done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True,
-                              timeout=300, check=False)
-        if done.returncode != code:
-            return f"{command}\nexit code {done.returncode}\n{done.stdout}\n{done.stderr}"
+    for step in steps_of(guide):
+        results = errors = ""
+        for command, code in step.commands:
+            done = run(["bash", "-c", command], folder, environment)
+            if done.returncode != code:
+                return f"{command}\nexit code {done.returncode}\n{done.stdout}\n{done.stderr}"
+            results, errors = results + done.stdout, errors + done.stderr
+        files = (file.read_text(errors="ignore") for file in folder.iterdir() if file.is_file())
+        missing = first_line_in_none(step.shown, errors + results, results + errors, *files)
+        if step.commands and missing:
+            return f"{step.commands} do not show\n{missing}\nbut\n{results}{errors}"
     return None
+
+
+def first_line_in_none(shown, *texts):
+    """The first line shown that is not in the first of the texts, unless one of them has all of the lines."""
+    missing = [first_line_not_in(shown, text) for text in texts]
+    return missing[0] if None not in missing else None
+
+
+def run(command, folder, environment=None):
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=300, check=False)
 
 
 def test_there_are_guides():
     assert len(GUIDES) >= 10
-    assert all(len(list(commands_of(guide))) > 0 or programs_of(guide) for guide in GUIDES)
+    assert all(steps_of(guide) for guide in GUIDES)
+    assert sum(len(step.shown) for guide in GUIDES for step in steps_of(guide)) > 100
 
 
 @by_name
-def test_commands_run(guide, folders):
+def test_commands_print_what_is_shown(guide, folders):
     assert folders(guide)[1] is None
 
 
 @by_name
-def test_programs_run(guide, folders):
-    program = programs_of(guide)
-    if program and importlib.util.find_spec("handle_tunnel_loops") is None:
+def test_programs_print_what_is_shown(guide, folders):
+    programs = [step for step in steps_of(guide) if step.program]
+    if programs and importlib.util.find_spec("handle_tunnel_loops") is None:
         pytest.skip("the module of Python is not there")
     folder, failed = folders(guide)
     assert failed is None
-    done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True, timeout=300,
-                          check=False)
+    done = run([sys.executable, "-c", "\n".join(step.program for step in programs)], folder)
     assert done.returncode == 0, done.stderr
+    assert first_line_not_in([line for step in programs for line in step.shown], done.stdout) is None, done.stdout
 
 
 def test_bores_are_those_of_the_guide(folders):
