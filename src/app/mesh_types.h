@@ -87,6 +87,11 @@ inline const char* name_of(Loop_type type) {
   return type == Loop_type::HANDLE ? "handle" : type == Loop_type::TUNNEL ? "tunnel" : "boundary";
 }
 
+/// the number for a kind, as it stands in files: 0, 1, and 2 for a boundary curve.
+constexpr int kind_number_of(Loop_type type) {
+  return type == Loop_type::HANDLE ? 0 : type == Loop_type::TUNNEL ? 1 : 2;
+}
+
 /// Whether an edge, by its number, lies across a face of the file, which was cut into triangles;
 /// empty if all were triangles.
 using Face_cuts = std::vector<char>;

@@ -18,7 +18,7 @@ namespace {
 void add_lines(Exported_lines& lines, const Pair& pair, std::size_t index) {
   for(const Loop_type type : loop_types)
     lines.lines.push_back({pair.loop(type).points(), true, colour_of(type), name_of(type),
-                           type == Loop_type::HANDLE ? 0 : 1, index, pair.loop(type).length()});
+                           kind_number_of(type), index, pair.loop(type).length()});
 }
 
 // The lines as line elements, each an object with a name.

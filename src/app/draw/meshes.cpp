@@ -16,12 +16,16 @@
 #include "write/mesh_writer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace htloops {
 namespace {
 
 namespace generators = CGAL::Handle_tunnel_loops::generators;
+using namespace std::string_literals;
 
 // Whether a corner of the opened mesh begins at a halfedge, in the order around its target: behind
 // the cut, or behind the gap between two halfedges of the border.
@@ -132,6 +136,34 @@ constexpr File_format<void(Text_writer&, const Reeb_answer&)> graph_formats[] = 
     {".dot", write_dot},
 };
 
+// A dual cut as walks along its edges, those that lead from boundary to boundary first. An edge is
+// drawn once, however often the cut runs along it.
+std::vector<std::vector<Mesh::Vertex_index>> trails_of(const Mesh& mesh, const Dual_cut& cut) {
+  std::map<Mesh::Vertex_index, std::vector<Mesh::Vertex_index>> ways; // onward
+  std::map<Mesh::Vertex_index, int> surplus;                          // of ways onward
+  for(const auto& [h, times] : cut.edges) {
+    ways[mesh.source(h)].push_back(mesh.target(h));
+    ++surplus[mesh.source(h)];
+    --surplus[mesh.target(h)];
+  }
+  std::vector<std::vector<Mesh::Vertex_index>> trails;
+  const auto walk_from = [&](Mesh::Vertex_index v) {
+    trails.push_back({v});
+    while(!ways[v].empty()) {
+      const Mesh::Vertex_index next = ways[v].back();
+      ways[v].pop_back();
+      trails.back().push_back(v = next);
+    }
+  };
+  for(const auto& [v, number] : surplus)
+    for(int i = 0; i < number; ++i)
+      walk_from(v);
+  for(const auto& [h, times] : cut.edges)
+    if(!ways[mesh.source(h)].empty())
+      walk_from(mesh.source(h));
+  return trails;
+}
+
 } // namespace
 
 void check_opened_mesh_format(const std::string& file) {
@@ -202,6 +234,28 @@ Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& c
     line.index = number[e.idx()];
     result.lines.push_back(line);
   }
+  return result;
+}
+
+Exported_lines lines_of(const Mesh& mesh, const Dual_cuts& duals) {
+  Exported_lines result = {"dual cuts", "index", {}};
+  for(const Dual_cut& cut : duals.cuts)
+    for(const std::vector<Mesh::Vertex_index>& trail : trails_of(mesh, cut)) {
+      const Loop_type type = cut.loop.type();
+      Exported_line line;
+      line.is_closed = trail.front() == trail.back();
+      for(const Mesh::Vertex_index v : trail)
+        line.points.push_back(mesh.point(v));
+      for(std::size_t i = 1; i < line.points.size(); ++i)
+        line.length += std::sqrt(CGAL::squared_distance(line.points[i - 1], line.points[i]));
+      if(line.is_closed)
+        line.points.pop_back();
+      line.colour = colour_of(type);
+      line.kind = "cut_"s + name_of(type);
+      line.kind_number = kind_number_of(type);
+      line.index = cut.loop.pair_index();
+      result.lines.push_back(std::move(line));
+    }
   return result;
 }
 

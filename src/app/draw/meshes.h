@@ -14,6 +14,7 @@
 #include "generators/generators.h"
 #include "read/soup.h"
 #include "solve/charts.h"
+#include "solve/cut_solver.h"
 #include "solve/reeb_solver.h"
 
 #include <cstdint>
@@ -50,6 +51,9 @@ void export_charts(const std::string& file,
 
 /// the edges as lines, for a picture.
 Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut);
+
+/// dual cuts as walks along their edges, each in the color of the loop that its cut crosses.
+Exported_lines lines_of(const Mesh& mesh, const Dual_cuts& duals);
 
 /// writes the edges as a selection of CGAL's programs: a line for vertices, one for faces, and one
 /// of the two ends of each edge. `CGAL::Seam_mesh::add_seams()` reads it.

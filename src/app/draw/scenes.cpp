@@ -410,6 +410,19 @@ htl_scene::Scene scene_of_parts(const std::string& title,
   return scene;
 }
 
+// The kind of an edge is its group.
+htl_scene::Scene scene_of_edges(const std::string& title,
+                                const std::string& mesh_file,
+                                const Mesh& mesh,
+                                const Exported_lines& edges,
+                                const std::string& summary) {
+  htl_scene::Scene scene = scene_of(title, mesh_file, surface_of("surface", drawn_surface(mesh)));
+  scene.paragraphs = lines_of(summary);
+  for(const Exported_line& edge : edges.lines)
+    add_line(scene, edge.points, edge.is_closed, static_cast<std::size_t>(edge.kind_number));
+  return scene;
+}
+
 } // namespace
 
 htl_scene::Scene scene_of_loops(const View& view,
@@ -494,13 +507,23 @@ htl_scene::Scene scene_of_cut(const View& view,
                               const Mesh& mesh,
                               const Exported_lines& cut,
                               const std::string& summary) {
-  htl_scene::Scene scene =
-      scene_of("Cut along edges:", mesh_file, surface_of("surface", drawn_surface(mesh)));
-  scene.paragraphs = lines_of(summary);
+  htl_scene::Scene scene = scene_of_edges("Cut along edges:", mesh_file, mesh, cut, summary);
   if(!cut.lines.empty())
     scene.groups = {{"the cut", cut.lines.front().colour}};
-  for(const Exported_line& line : cut.lines)
-    add_line(scene, line.points, line.is_closed, 0);
+  look(view, scene);
+  return scene;
+}
+
+htl_scene::Scene scene_of_dual_cuts(const View& view,
+                                    const std::string& mesh_file,
+                                    const Mesh& mesh,
+                                    const Exported_lines& cuts,
+                                    const std::string& summary) {
+  htl_scene::Scene scene = scene_of_edges("Dual cuts:", mesh_file, mesh, cuts, summary);
+  scene.groups = {{"across handle loops", colour_of(Loop_type::HANDLE)},
+                  {"across tunnel loops", colour_of(Loop_type::TUNNEL)}};
+  if(!scene.lines.empty() && scene.lines.back().group == 2) // they come last
+    scene.groups.push_back({"across boundary curves", colour_of(Loop_type::BOUNDARY)});
   look(view, scene);
   return scene;
 }

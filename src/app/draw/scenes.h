@@ -65,12 +65,19 @@ htl_scene::Scene scene_of_skeleton(const View& view,
                                    const Skeleton_answer& answer,
                                    const std::string& summary);
 
-/// a mesh with the lines along which it is cut.
+/// a mesh with the edges along which it is cut to disks.
 htl_scene::Scene scene_of_cut(const View& view,
                               const std::string& mesh_file,
                               const Mesh& mesh,
                               const Exported_lines& cut,
                               const std::string& summary);
+
+/// a mesh with its dual cuts, each in the color of the loop that it crosses.
+htl_scene::Scene scene_of_dual_cuts(const View& view,
+                                    const std::string& mesh_file,
+                                    const Mesh& mesh,
+                                    const Exported_lines& cuts,
+                                    const std::string& summary);
 
 /// A mesh, its loops, and what became of it.
 struct Removal_shown

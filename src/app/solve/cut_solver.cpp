@@ -151,7 +151,9 @@ Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& prog
 Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& progress) {
   const Thread_limit limit(number_of_threads);
   progress.start("dual cuts");
+  const Stopwatch stopwatch;
   Dual_cuts result;
+  result.number_of_threads = limit.number_of_threads();
   Pairs pairs;
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(All_threads_tag(), mesh,
                                                 CGAL::parameters::default_values());
@@ -165,8 +167,17 @@ Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& prog
       basis_of(mesh, pairs, result.boundaries, solver.number_of_components());
   for(std::size_t i = 0; i < cuts.size(); ++i)
     result.cuts.push_back({basis[i], std::move(cuts[i])});
+  result.total_seconds = stopwatch.seconds();
   progress.end();
   return result;
+}
+
+double length_of(const Mesh& mesh, const Dual_cuts& duals) {
+  double length = 0.;
+  for(const Dual_cut& cut : duals.cuts)
+    for(const auto& [h, times] : cut.edges)
+      length += static_cast<double>(times) * length_of(mesh, mesh.edge(h));
+  return length;
 }
 
 } // namespace htloops

@@ -54,7 +54,12 @@ struct Dual_cuts
   std::vector<Dual_cut> cuts;
   std::vector<Loop> boundaries;                     ///< all boundary curves
   CGAL::Handle_tunnel_loops::Statistics statistics; ///< of the loops
+  double total_seconds = 0.;
+  int number_of_threads = 0;
 };
+
+/// the length of all cuts, which counts an edge as often as they run along it.
+double length_of(const Mesh& mesh, const Dual_cuts& duals);
 
 /// the cuts dual to the loops that `loops` finds, and to the boundary curves.
 Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& progress);

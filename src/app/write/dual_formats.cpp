@@ -108,10 +108,6 @@ struct Dual_cell
 
 using Dual_cells = std::vector<Dual_cell>;
 
-std::int64_t kind_of(Loop_type type) {
-  return type == Loop_type::HANDLE ? 0 : type == Loop_type::TUNNEL ? 1 : 2;
-}
-
 Dual_cells dual_lines_of(const Mesh& mesh, const Dual_cuts& duals) {
   std::size_t number_of_lines = 0;
   for(const Dual_cut& cut : duals.cuts)
@@ -127,7 +123,7 @@ Dual_cells dual_lines_of(const Mesh& mesh, const Dual_cuts& duals) {
       lines.push_back({{u, v},
                        true,
                        static_cast<std::int64_t>(i),
-                       kind_of(loop.type()),
+                       kind_number_of(loop.type()),
                        static_cast<std::int64_t>(loop.pair_index()),
                        times,
                        cell_beside(h),

@@ -43,6 +43,12 @@ struct Cut_command_options : Common_options
 
   /// whether the faces of the file matter as they are.
   bool is_for_textures() const { return !seams_file.empty() || !charts_file.empty(); }
+
+  /// whether there is a cut to disks, and not only dual cuts.
+  bool is_to_disks() const {
+    return dual_file.empty() || !opened_file.empty() || !selection_file.empty() ||
+           is_for_textures() || !cones.empty() || do_cut_spheres;
+  }
 };
 
 void check_options(const Cut_command_options& options) {
@@ -93,6 +99,11 @@ Cut_answer solve(const Mended_mesh& mended, const Cut_command_options& options) 
   return find_cut(mesh, cut, bar);
 }
 
+void write_lines(const Cut_command_options& options, const Exported_lines& lines) {
+  for(const std::string& file : options.lines_files)
+    export_lines(file, lines);
+}
+
 void write_files(const Cut_command_options& options,
                  const Mended_mesh& mended,
                  const Cut_answer& answer,
@@ -107,8 +118,7 @@ void write_files(const Cut_command_options& options,
   if(options.lines_files.empty() && !is_looked_at(options))
     return;
   const Exported_lines lines = lines_of(mesh, answer.edges);
-  for(const std::string& file : options.lines_files)
-    export_lines(file, lines);
+  write_lines(options, lines);
   if(is_looked_at(options))
     show_scene(options, scene_of_cut(view_of(options), options.mesh_file, mesh, lines, words),
                mended.facts.unit);
@@ -143,30 +153,63 @@ std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
 }
 
+// To disks; says how.
+std::string cut_to_disks(const Cut_command_options& options, const Cut_mesh& read, double seconds) {
+  const Mesh& mesh = read.mended.mesh;
+  const Cut_answer answer = solve(read.mended, options);
+  std::string words = words_of_cut(answer, seconds);
+  if(!options.charts_file.empty()) {
+    words += write_charts(options.charts_file, read, answer.edges);
+    show_note_on_unit(options, options.charts_file, read.mended.facts);
+  }
+  if(!options.seams_file.empty())
+    write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
+  write_files(options, read.mended, answer, words);
+  return words;
+}
+
+std::string words_of_dual_cuts(const Mesh& mesh, const Dual_cuts& duals, double read_seconds) {
+  return "genus " + std::to_string(duals.statistics.genus) + ": " +
+         counted(duals.cuts.size(), "dual cut", "dual cuts") +
+         formatted(" of total length %.6g; %.2f s after %.2f s of reading, ",
+                   length_of(mesh, duals), duals.total_seconds, read_seconds) +
+         counted(static_cast<std::size_t>(duals.number_of_threads), "thread", "threads") + "\n";
+}
+
+// Writes the dual cuts; says how many there are.
+std::string
+cut_across_loops(const Cut_command_options& options, const Cut_mesh& read, double seconds) {
+  const Mesh& mesh = read.mended.mesh;
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  const Dual_cuts duals = find_dual_cuts(mesh, options.number_of_threads, bar);
+  write_dual_cuts(options.dual_file, mesh, duals);
+  const std::string words = words_of_dual_cuts(mesh, duals, seconds);
+  if(options.is_to_disks())
+    return words;
+  const Exported_lines lines = lines_of(mesh, duals);
+  write_lines(options, lines);
+  if(is_looked_at(options))
+    show_scene(options, scene_of_dual_cuts(view_of(options), options.mesh_file, mesh, lines, words),
+               read.mended.facts.unit);
+  return words;
+}
+
 void run(const Cut_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
   const Cut_mesh read_mesh = read(options);
-  const Mesh& mesh = read_mesh.mended.mesh;
   const double read_seconds = stopwatch.seconds();
-  const Cut_answer answer = solve(read_mesh.mended, options);
-  std::string words = words_of_cut(answer, read_seconds);
-  if(!options.charts_file.empty()) {
-    words += write_charts(options.charts_file, read_mesh, answer.edges);
-    show_note_on_unit(options, options.charts_file, read_mesh.mended.facts);
-  }
   write_read_mesh(options, read_mesh.mended);
-  if(!options.seams_file.empty())
-    write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
-  write_files(options, read_mesh.mended, answer, words);
-  if(!options.dual_file.empty()) {
-    Progress_bar bar(!options.is_quiet && is_terminal(stderr));
-    write_dual_cuts(options.dual_file, mesh, find_dual_cuts(mesh, options.number_of_threads, bar));
-  }
+  std::string words;
+  if(options.is_to_disks())
+    words += cut_to_disks(options, read_mesh, read_seconds);
+  if(!options.dual_file.empty())
+    words += cut_across_loops(options, read_mesh, read_seconds);
   if(!options.is_quiet)
     show_text(words + words_of_unit(read_mesh.mended.facts.unit),
               options.opened_file == "-" || options.selection_file == "-" ||
-                  options.page_file == "-" || options.is_mesh_on_standard_output());
+                  options.dual_file == "-" || options.page_file == "-" ||
+                  options.is_mesh_on_standard_output());
 }
 
 void add_output_options(CLI::App& command, Cut_command_options& options) {
@@ -183,7 +226,8 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
   add_output(command, "--dual", "FILE", options.dual_file,
              "dual cuts: for each handle loop, tunnel loop and boundary curve (except one of\n"
              "each component), a cut that crosses it once and no other: as .json, or as lines\n"
-             "with the mesh: .msh .msh2 .vtu .vtp");
+             "with the mesh: .msh .msh2 .vtu .vtp. Alone, it is also what --lines, --picture and\n"
+             "--html show");
   add_lines_option(command, options, "the cut edges");
   add_picture_options(command, options, "the cut", false);
   add_page_option(command, options, "the mesh and the cut");

@@ -29,6 +29,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -162,6 +163,27 @@ std::string words_of_length(const Remove_options& options,
          " shorter\n";
 }
 
+// Where no bore was in the range: which there are.
+std::string words_of_bores(const Remove_options& options,
+                           const Mesh& mesh,
+                           const Answer& answer,
+                           const Removal_report& report) {
+  if(options.bores.empty() || !report.removed.empty() || !report.refused.empty())
+    return "";
+  std::vector<double> diameters;
+  for(const Listed_pair& pair : list_pairs(mesh, answer))
+    if(pair.diameter.bore)
+      diameters.push_back(pair.diameter.value);
+  if(diameters.empty())
+    return "none of the " + counted(answer.pairs.size(), "hole", "holes") + " is a round bore\n";
+  const auto [least, largest] = std::minmax_element(diameters.begin(), diameters.end());
+  return "no bore has a diameter in this range; " +
+         counted(diameters.size(), "round bore has", "round bores have") +
+         (*least == *largest ? formatted(" %.6g", *least)
+                             : formatted(" %.6g to %.6g", *least, *largest)) +
+         "\n";
+}
+
 bool is_output_taken(const Remove_options& options) {
   return (options.result_file == "-" && !options.is_dry_run) ||
          options.is_mesh_on_standard_output() || options.json_file == "-" ||
@@ -218,6 +240,7 @@ void run(const Remove_options& options) {
   write_files(options, mesh, answer, removal, told);
   if(!options.is_quiet)
     show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
+                  words_of_bores(options, mesh, answer, removal.report) +
                   table_and_summary(options, told.report, options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
                   words_of_time(removal, loops_seconds, read_seconds) +
