@@ -232,8 +232,8 @@ def test_messages_are_in_words_of_python(torus, tmp_path):
     write_off(tmp_path / "turned.off", V, np.vstack([F[:1, ::-1], F[1:]]))
     (tmp_path / "mesh.txt").write_text("")
     for name, words in [
-        ("--repair.off", r"--repair.off: .*; triangulate=True makes it triangles$"),
-        ("turned.off", r"; repair=True mends this:\n  1 face turned over: face 0$"),
+        ("--repair.off", r"--repair.off: .*; triangulate=True splits it into triangles$"),
+        ("turned.off", r"; repair=True fixes this:\n  1 face flipped: face 0$"),
         ("mesh.txt", r"does not name a supported format; those are: \.off \.obj \.ply \.stl .*\.vtp"),
     ]:
         with pytest.raises((ValueError, OSError), match=words):

@@ -49,8 +49,8 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 /// that a file is about another mesh, by numbers of vertices and faces.
 inline std::string mesh_difference(const std::array<std::size_t, 2>& expected,
                                    const std::array<std::size_t, 2>& found) {
-  return "it is about a mesh of " + std::to_string(expected[0]) + " vertices and " +
-         std::to_string(expected[1]) + " faces; this one has " + std::to_string(found[0]) +
+  return "it belongs to a mesh with " + std::to_string(expected[0]) + " vertices and " +
+         std::to_string(expected[1]) + " faces, but this mesh has " + std::to_string(found[0]) +
          " and " + std::to_string(found[1]);
 }
 

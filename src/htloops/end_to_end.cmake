@@ -260,7 +260,7 @@ file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 check mesh.off wrong.json)
 expect_match("${errors}" "pair 1: the loops cross 0 times")
 run(1 check torus.off loops.json)
-expect_match("${errors}" "it is about a mesh of")
+expect_match("${errors}" "it belongs to a mesh with")
 # Just beside the end of an edge, with all digits.
 string(JSON wrong SET "${loops}" pairs 1 tunnel locations 0 2 1.0000000000000002)
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")

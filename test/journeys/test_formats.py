@@ -90,7 +90,7 @@ def test_binary_stl_refuses_to_let_points_fall_together(tool):
     points[1] = (points[0][0] + 1e-9, *points[0][1:])
     write_off(tool.folder / "near.off", points, triangles_of(quads))
     said = tool.run("repair", "near.off", "-o", "near.stl", "-q", code=2).stderr
-    assert "would fall together" in said and ".ascii.stl" in said
+    assert "would coincide" in said and ".ascii.stl" in said
     assert not (tool.folder / "near.stl").exists()
     tool.run("repair", "near.off", "-o", "near.ascii.stl", "-q")
     assert tool.facts("near.ascii.stl")["genus"] == 1
@@ -328,10 +328,10 @@ def test_gltf_without_positions_has_all_points_at_the_origin(tool):
 
 @pytest.mark.parametrize("change, words", [
     (lambda sparse: sparse["indices"].update(byteOffset=2), "beyond its buffer"),
-    (lambda sparse: sparse["values"].update(bufferView=99), "a view that does not exist"),
-    (lambda sparse: sparse.update(count=-1), "more rows than there are"),
-    (lambda sparse: sparse.update(count=300), "more rows than there are"),
-    (lambda sparse: sparse["values"].update(byteOffset=-12), "more rows than there are"),
+    (lambda sparse: sparse["values"].update(bufferView=99), "a nonexistent view"),
+    (lambda sparse: sparse.update(count=-1), "more rows than exist"),
+    (lambda sparse: sparse.update(count=300), "more rows than exist"),
+    (lambda sparse: sparse["values"].update(byteOffset=-12), "more rows than exist"),
 ], ids=["beyond", "view", "negative", "many", "before"])
 def test_a_sparse_accessor_that_contradicts_itself_is_refused(tool, change, words):
     points, quads = torus()
@@ -420,14 +420,14 @@ def test_3mf_that_needs_another_extension_is_refused_by_name(tool, name, space):
     write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
               f'xmlns:m="{SPACES}material/2015/02" xmlns:x="{space}" requiredextensions="m x"')
     said = tool.run("loops", "mesh.3mf", "-o", "x.json", code=3).stderr
-    assert f"needs the extension '{name}'" in said
+    assert f"requires the 3MF extension '{name}'" in said
     assert not (tool.folder / "x.json").exists()
 
 
 def test_3mf_that_needs_a_prefix_that_is_not_declared_is_refused(tool):
     points, quads = torus()
     write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads), 'requiredextensions="q"')
-    assert "needs the extension 'q'" in tool.run("loops", "mesh.3mf", code=3).stderr
+    assert "requires the 3MF extension 'q'" in tool.run("loops", "mesh.3mf", code=3).stderr
 
 
 def test_3mf_whose_triangles_stand_for_slices_is_refused(tool):
@@ -436,7 +436,7 @@ def test_3mf_whose_triangles_stand_for_slices_is_refused(tool):
         write_3mf(tool.folder / "mesh.3mf", points, triangles_of(quads),
                   f'xmlns:s="{SPACES}slice/2015/07" requiredextensions="s"', f's:meshresolution="{resolution}"')
         said = tool.run("loops", "mesh.3mf", code=code).stderr
-        assert ("for slices" in said) == (code == 3)
+        assert ("approximate slices" in said) == (code == 3)
 
 
 def test_3mf_names_what_a_recommended_extension_would_add(tool):
@@ -541,16 +541,16 @@ def vtk_file(polys, points="0 0 0 1 0 0 0 1 0", count=3, offsets="3"):
 
 
 @pytest.mark.parametrize("name, content, words", [
-    ("deep.vtp", "<VTKFile>" + "<a><!--</a>-->" * 20000 + "</a>" * 20000 + "</VTKFile>", "nested too deep"),
-    ("quoted.gii", '<a b="/>">' * 20000, "nested too deep"),
-    ("open.vtp", "<!" * 1000000, "it is not XML"),
-    ("few.vtp", vtk_file("0 1 2", count=4), "as many points, of three"),
-    ("odd.vtp", vtk_file("0 1 2", "0 0 0 1 0 0 0 1"), "as many points, of three"),
-    ("long.vtp", vtk_file("0 1 2 0"), "fewer points than there are"),
-    ("short.vtp", vtk_file("0 1"), "more points than there are"),
+    ("deep.vtp", "<VTKFile>" + "<a><!--</a>-->" * 20000 + "</a>" * 20000 + "</VTKFile>", "nested too deeply"),
+    ("quoted.gii", '<a b="/>">' * 20000, "nested too deeply"),
+    ("open.vtp", "<!" * 1000000, "it is not valid XML"),
+    ("few.vtp", vtk_file("0 1 2", count=4), "the declared number of points"),
+    ("odd.vtp", vtk_file("0 1 2", "0 0 0 1 0 0 0 1"), "the declared number of points"),
+    ("long.vtp", vtk_file("0 1 2 0"), "the whole connectivity array"),
+    ("short.vtp", vtk_file("0 1"), "an invalid offset"),
     ("beyond.vtp", vtk_file("0 1 7"), "a point that does not exist"),
     ("lines.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n", "expected $EndNodes"),
-    ("none.msh", "", "does not begin with $MeshFormat"),
+    ("none.msh", "", "must begin with $MeshFormat"),
 ], ids=lambda value: value[:12])
 def test_what_contradicts_itself_is_refused(tool, name, content, words):
     (tool.folder / name).write_text(content)

@@ -23,9 +23,9 @@ def scan(tool):
 
 def test_nearly_welded_meshes_are_named(tool, scan):
     said = tool.run("loops", scan).stderr
-    assert "4800 of 4800 edges of the boundary lie on others" in said
+    assert "4800 of 4800 boundary edges coincide with others" in said
     assert "1600 components are single triangles" in said and "--weld 0.001%" in said
-    assert "nearly welded" in tool.run("repair", scan, "--dry-run").stderr
+    assert "nearly coincide" in tool.run("repair", scan, "--dry-run").stderr
 
 
 @pytest.mark.parametrize("length", ["0.001%", "1e-5"])
@@ -66,7 +66,7 @@ def test_what_lies_exactly_there_is_for_the_repair(tool):
     halves = triangles[:half] + [tuple(v + n for v in t) for t in triangles[half:]]
     write_off(tool.folder / "halves.off", points + points, halves)
     said = tool.run("loops", "halves.off").stderr
-    assert "48 of 48 edges of the boundary lie on others" in said and "--repair welds them" in said
+    assert "48 of 48 boundary edges coincide with others" in said and "--repair welds them" in said
     assert tool.facts("halves.off", "--repair")["genus"] == 1
 
 
@@ -89,4 +89,4 @@ def test_a_stray_vertex_makes_nothing_near(tool):
     points, quads = torus()
     corners, triangles = torn(points, triangles_of(quads), 1e-3)
     write_off(tool.folder / "stray.off", corners + [(1e6, 0, 0)], triangles)
-    assert "nearly welded" not in tool.run("loops", "stray.off").stderr
+    assert "nearly coincide" not in tool.run("loops", "stray.off").stderr

@@ -21,7 +21,7 @@ namespace htloops {
 namespace {
 
 [[noreturn]] void refuse(const std::vector<Defect>& defects) {
-  std::string text = "it is not an oriented manifold of triangles:";
+  std::string text = "it is not an oriented manifold triangle mesh:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);

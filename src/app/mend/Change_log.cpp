@@ -22,23 +22,21 @@ struct Words_of_change
 };
 
 constexpr Words_of_change words_of_kinds[Change_log::number_of_kinds] = {
-    {"vertex of the boundary welded with one nearby",
-     "vertices of the boundary welded with ones nearby"},
-    {"vertex welded with another at the same place",
-     "vertices welded with others at the same place"},
+    {"boundary vertex welded to a nearby one", "boundary vertices welded to nearby ones"},
+    {"vertex welded to another at the same place", "vertices welded to others at the same place"},
     {"degenerate face dropped", "degenerate faces dropped"},
-    {"face relieved of corners that repeat a vertex",
-     "faces relieved of corners that repeat a vertex"},
-    {"face of more than three vertices made triangles",
-     "faces of more than three vertices made triangles"},
+    {"face with repeated vertices simplified", "faces with repeated vertices simplified"},
+    {"face with more than three vertices triangulated",
+     "faces with more than three vertices triangulated"},
     {"duplicate face dropped", "duplicate faces dropped"},
-    {"face of a flap without thickness dropped", "faces of flaps without thickness dropped"},
+    {"face of a zero-thickness flap dropped", "faces of zero-thickness flaps dropped"},
     {"", ""},
-    {"face of a pillow dropped", "faces of pillows dropped, two that are neighbors all around"},
+    {"face of a pillow dropped", "faces of pillows dropped (two faces that share all edges)"},
     {"edge with more than two faces split", "edges with more than two faces split"},
-    {"face turned over", "faces turned over"},
+    {"face flipped", "faces flipped"},
     {"vertex split", "vertices split"},
-    {"edge beside another one divided in the middle", "edges beside others divided in the middle"},
+    {"edge with the same ends as another split at its midpoint",
+     "edges with the same ends as others split at their midpoints"},
     {"", ""},
     {"", ""}};
 

@@ -115,7 +115,7 @@ private:
     std::sort(welded.begin(), welded.end());
     for(const auto& [v, first] : welded)
       log.add(Change_kind::VERTICES_WELDED, [v = v, first = first] {
-        return name_of_vertex(v) + " with " + name_of_vertex(first);
+        return name_of_vertex(v) + " to " + name_of_vertex(first);
       });
   }
 
@@ -140,16 +140,17 @@ void report_vertices(const Soup& before, Mended_soup& mended) {
 void report_boundary(const Soup& before, Mended_soup& mended) {
   const std::size_t old_number = number_of_boundary_edges(before);
   const std::size_t number = number_of_boundary_edges(mended.soup);
-  const std::string rest = ": of " + std::to_string(old_number) + ", now " + std::to_string(number);
+  const std::string rest =
+      ": " + std::to_string(number) + " instead of " + std::to_string(old_number);
   const auto words = [&](std::size_t count, const char* one, const char* many) {
     return (count == 1 ? one : many) + rest;
   };
   if(number < old_number)
     mended.log.add(Change_kind::BOUNDARY_EDGES_CLOSED, old_number - number,
-                   words(old_number - number, "boundary edge fewer", "boundary edges fewer"));
+                   words(old_number - number, "fewer boundary edge", "fewer boundary edges"));
   if(number > old_number)
     mended.log.add(Change_kind::BOUNDARY_EDGES_OPENED, number - old_number,
-                   words(number - old_number, "boundary edge more", "boundary edges more"));
+                   words(number - old_number, "more boundary edge", "more boundary edges"));
 }
 
 } // namespace htloops

@@ -287,9 +287,9 @@ public:
     }
     if(number_of_further_faces != 0)
       log.add(Change_kind::ONE_SIDED_COMPONENT_DROPPED, number_of_further_faces,
-              "faces dropped of " +
-                  counted(number_told - largest_number_told, "further component that is",
-                          "further components that are") +
+              "faces dropped in " +
+                  counted(number_told - largest_number_told, "more component that is",
+                          "more components that are") +
                   " not orientable");
   }
 
@@ -299,10 +299,10 @@ private:
   static constexpr std::size_t largest_number_told = 8;
 
   std::string words(std::size_t number, const Faces& faces) const {
-    return std::string(faces.size() == 1 ? "face" : "faces") + " dropped, component " +
+    return std::string(faces.size() == 1 ? "face" : "faces") + " dropped: component " +
            std::to_string(number) + " of " + std::to_string(order_.size()) +
-           ", as it is not orientable; the first is " +
-           name_of_face(mended_.face_in_file[faces.front()]) + ", the box is " + box_of(faces);
+           " is not orientable, first: " + name_of_face(mended_.face_in_file[faces.front()]) +
+           ", bounding box: " + box_of(faces);
   }
 
   std::string box_of(const Faces& faces) const {

@@ -23,7 +23,7 @@ namespace {
 std::string message(const std::string& file, const std::vector<Defect>& defects) {
   if(defects.size() == 1)
     return file + ": " + defects.front().message + "; ";
-  std::string text = file + " is not an oriented manifold of triangles:";
+  std::string text = file + " is not an oriented manifold triangle mesh:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   return text + "\n";
@@ -38,7 +38,7 @@ std::string lines_of(const std::vector<Change>& changes) {
 
 // What has been done already, as numbers are those of afterwards.
 std::string words_on_changes(const std::vector<Change>& changes) {
-  return changes.empty() ? "" : "\nthis is after mending:" + lines_of(changes);
+  return changes.empty() ? "" : "\nthese repairs were made first:" + lines_of(changes);
 }
 
 // The file is read once more if mending has used up what there was.
@@ -74,9 +74,9 @@ bool is_only(const std::vector<Change>& changes, Change_kind kind, const Defect&
 }
 
 std::string promise_of(const Remedies& remedies) {
-  return remedies.do_triangulate && remedies.do_repair ? "--triangulate and --repair together mend"
-         : remedies.do_triangulate                     ? "--triangulate mends"
-                                                       : "--repair mends";
+  return remedies.do_triangulate && remedies.do_repair ? "--triangulate and --repair together fix"
+         : remedies.do_triangulate                     ? "--triangulate fixes"
+                                                       : "--repair fixes";
 }
 
 // In a word where that says it all, else in full what it would do.
@@ -87,7 +87,7 @@ std::string words_for(const Remedies& remedies,
   const bool is_one = first.count == 1;
   if(defects.size() == 1) {
     if(is_only(changes, Change_kind::FACES_TRIANGULATED, first))
-      return std::string("--triangulate makes ") + (is_one ? "it triangles" : "them triangles");
+      return std::string("--triangulate splits ") + (is_one ? "it" : "them") + " into triangles";
     if(is_only(changes, Change_kind::DEGENERATE_FACES_DROPPED, first))
       return std::string("--repair drops ") + (is_one ? "it" : "them");
     if(is_only(changes, Change_kind::VERTICES_SPLIT, first))
@@ -142,8 +142,8 @@ words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Reme
       return words_for(remedies, defects, mended.changes);
   }
   if(is_one_sided)
-    return "no option mends this, as the surface is not orientable";
-  return given.any() ? "no other option mends this" : "no option mends this";
+    return "no option fixes this: the surface is not orientable";
+  return given.any() ? "no other option fixes this" : "no option fixes this";
 }
 
 } // namespace htloops

@@ -135,9 +135,10 @@ void check_not_crowded(const Soup& soup,
       return;
     const auto [u, v] = ends_of(edge);
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
-                  "--weld: within " + in_words(length) + " it would join " + std::to_string(faces) +
-                      " faces along " + name_of_edge(u, v) + ", near " + words_of(soup.points[u]) +
-                      ", and the result would not be a surface; a smaller length may work");
+                  "--weld: a length of " + in_words(length) + " would join " +
+                      std::to_string(faces) + " faces along " + name_of_edge(u, v) + ", near " +
+                      words_of(soup.points[u]) +
+                      ", and the result would not be a surface: try a smaller length");
   });
 }
 
@@ -180,7 +181,7 @@ void weld_near_points(Mended_soup& mended, double length) {
     welded[vertices[i]] = nearest[i];
     if(nearest[i] != vertices[i])
       mended.log.add(Change_kind::NEAR_VERTICES_WELDED, [&] {
-        return name_of_vertex(vertices[i]) + " with " + name_of_vertex(nearest[i]);
+        return name_of_vertex(vertices[i]) + " to " + name_of_vertex(nearest[i]);
       });
   }
   std::vector<std::uint64_t> crowded;
@@ -201,14 +202,14 @@ void weld_near_points(Mended_soup& mended, double length) {
 std::string Near_boundary::words() const {
   if(near_edges == 0)
     return "";
-  return std::to_string(near_edges) + " of " + counted(edges, "edge", "edges") +
-         " of the boundary lie on others of it within 1e-5" + " of the diagonal" +
+  return std::to_string(near_edges) + " of " + counted(edges, "boundary edge", "boundary edges") +
+         " coincide with others within 1e-5 of the diagonal" +
          (single_triangles > 0
               ? ", and " + counted(single_triangles, "component is a single triangle",
                                    "components are single triangles")
               : "") +
          (is_exact ? ": --repair welds them"
-                   : ": points are nearly welded, and --weld 0.001% welds them");
+                   : ": they nearly coincide, and --weld 0.001% welds them");
 }
 
 Near_boundary near_boundary_of(const Mesh& mesh) {

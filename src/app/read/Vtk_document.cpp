@@ -95,21 +95,21 @@ Read_number Vtk_document::reader_of(const std::string& type) const {
   for(const Vtk_type& known : vtk_types)
     if(type == known.name)
       return known.read;
-  fail("it has numbers of the type " + in_quotes(type) + ", which is not supported");
+  fail("numbers of the type " + in_quotes(type) + " are not supported");
 }
 
 std::string Vtk_document::bytes_of(const Xml_tree& array) const {
   if(is_packed() && compressor_ != "vtkZLibDataCompressor")
-    fail("its arrays are compressed with " + in_quotes(compressor_) +
-         ", which is not supported; save it with ZLib, or without compression");
+    fail("compression with " + in_quotes(compressor_) +
+         " is not supported: save the file with ZLib, or without compression");
   const std::string format = xml_attribute(array, "format");
   if(format == "binary")
     return unpacked(htl_window::bytes_of_base64(array.data()));
   if(format != "appended")
-    fail("it has an array in the unknown format " + in_quotes(format));
+    fail("an array has the unknown format " + in_quotes(format));
   const auto offset = array.get_optional<std::size_t>("<xmlattr>.offset");
   if(!offset || *offset >= appended_.size())
-    fail("it has an array that starts beyond the end of the file");
+    fail("an array starts beyond the end of the file");
   const std::string_view rest = appended_.substr(*offset);
   return is_appended_encoded_ ? unpacked(decoded_from_appended(rest)) : unpacked(rest);
 }
@@ -142,13 +142,13 @@ std::vector<std::size_t> Vtk_document::header_of(std::string_view bytes) const {
       size_of_header_ == 8 ? read_as<std::uint64_t> : read_as<std::uint32_t>;
   for(std::size_t i = 0, size = 1; i < size && read_next(source, number); ++i) {
     if(!(number <= static_cast<double>(file_.content().size() << 10)))
-      fail("an array has fewer bytes than it says");
+      fail("an array has fewer bytes than declared");
     header.push_back(static_cast<std::size_t>(number));
     if(i == 0 && is_packed())
       size = header[0] + 3;
   }
   if(header.empty())
-    fail("an array has fewer bytes than it says");
+    fail("an array has fewer bytes than declared");
   return header;
 }
 
@@ -157,7 +157,7 @@ std::string Vtk_document::unpacked(std::string_view bytes) const {
   std::size_t begin = header.size() * size_of_header_;
   const auto take = [&](std::size_t size) {
     if(bytes.size() - begin < size)
-      fail("an array has fewer bytes than it says");
+      fail("an array has fewer bytes than declared");
     const std::string_view part = bytes.substr(begin, size);
     begin += size;
     return part;
@@ -165,7 +165,7 @@ std::string Vtk_document::unpacked(std::string_view bytes) const {
   if(!is_packed())
     return std::string(take(header[0]));
   if(header.size() < 3 ? header[0] != 0 : header.size() != header[0] + 3)
-    fail("an array has fewer blocks than it says");
+    fail("an array has fewer blocks than declared");
   std::string all;
   for(std::size_t block = 3; block < header.size(); ++block) {
     const std::optional<std::string> part =
@@ -181,7 +181,7 @@ Vtk_document::Numbers Vtk_document::points(const Xml_tree& piece) const {
   Numbers x = array(piece, "Points", "");
   const auto announced = piece.get_optional<std::size_t>("<xmlattr>.NumberOfPoints");
   if(x.size() % 3 != 0 || (announced && x.size() / 3 != *announced))
-    fail("a piece does not have as many points, of three coordinates, as it says");
+    fail("a piece does not have the declared number of points with three coordinates");
   return x;
 }
 
@@ -195,15 +195,15 @@ Vtk_document::Cells Vtk_document::cells(const Xml_tree& piece,
   for(const double end : array(piece, section, "offsets")) {
     cells.emplace_back();
     if(!(end >= static_cast<double>(begin) && end <= static_cast<double>(numbers.size())))
-      fail("cell " + std::to_string(cells.size() - 1) + " has more points than there are");
+      fail("cell " + std::to_string(cells.size() - 1) + " has an invalid offset");
     for(; static_cast<double>(begin) < end; ++begin) {
       if(!(numbers[begin] >= 0. && numbers[begin] < static_cast<double>(number_of_points)))
-        fail("cell " + std::to_string(cells.size() - 1) + " names a point that does not exist");
+        fail("cell " + std::to_string(cells.size() - 1) + " uses a point that does not exist");
       cells.back().push_back(first + static_cast<std::size_t>(numbers[begin]));
     }
   }
   if(begin != numbers.size())
-    fail("its cells have fewer points than there are");
+    fail("its cells do not use the whole connectivity array");
   return cells;
 }
 

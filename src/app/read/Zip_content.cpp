@@ -40,7 +40,7 @@ Zip_content::Zip_content(const Input_file& archive)
   const std::size_t count = number_at<std::uint16_t>(end + 10);
   for(std::size_t i = 0; i < count; ++i) {
     if(at > content.size() || content.substr(at, 4) != "PK\1\2")
-      fail("its list of files is damaged");
+      fail("the file list of the ZIP archive is damaged");
     const std::size_t name_size = number_at<std::uint16_t>(at + 28);
     const Member member = {number_at<std::uint16_t>(at + 10), number_at<std::uint32_t>(at + 16),
                            number_at<std::uint32_t>(at + 20), number_at<std::uint32_t>(at + 42)};
@@ -51,16 +51,14 @@ Zip_content::Zip_content(const Input_file& archive)
   }
 }
 
-void Zip_content::fail(const std::string& problem) const {
-  fail_to_read(archive_.name(), "as a ZIP archive, " + problem);
-}
+void Zip_content::fail(const std::string& problem) const { fail_to_read(archive_.name(), problem); }
 
 template <typename Number> Number Zip_content::number_at(std::size_t position) const {
   const std::string_view content = archive_.content();
   Binary_source source(archive_.name(), content, (std::min)(position, content.size()), true);
   Number number{};
   if(!source.read(number))
-    fail("it is cut off");
+    fail("the ZIP archive is truncated");
   return number;
 }
 
@@ -68,20 +66,20 @@ template <typename Number> Number Zip_content::number_at(std::size_t position) c
 std::size_t Zip_content::end_record() const {
   const std::size_t end = archive_.content().rfind(std::string_view("PK\5\6", 4));
   if(end == std::string_view::npos)
-    fail("it is not one, or it is cut off");
+    fail("it is not a ZIP archive, or it is truncated");
   return end;
 }
 
 std::string Zip_content::read(const std::string& name) const {
   const auto found = members_.find(name);
   if(found == members_.end())
-    fail("it has no " + in_quotes(name));
+    fail("the ZIP archive has no " + in_quotes(name));
   const Member& member = found->second;
   const std::string_view content = archive_.content();
   const std::size_t begin = member.begin + 30 + number_at<std::uint16_t>(member.begin + 26) +
                             number_at<std::uint16_t>(member.begin + 28);
   if(begin > content.size() || member.packed_size > content.size() - begin)
-    fail("it is cut off, or larger than four gigabytes");
+    fail("the ZIP archive is truncated, or larger than 4 GB");
   const std::string_view packed = content.substr(begin, member.packed_size);
   constexpr std::uint16_t stored = 0, deflated = 8;
   std::optional<std::string> bytes;
@@ -90,7 +88,7 @@ std::string Zip_content::read(const std::string& name) const {
   else if(member.method == deflated)
     bytes = unpacked(archive_.name(), packed, htl_window::Frame::NONE);
   if(!bytes || !has_checksum(*bytes, member.checksum))
-    fail("its " + in_quotes(name) + " is damaged");
+    fail(in_quotes(name) + " in the ZIP archive is damaged");
   return std::move(*bytes);
 }
 

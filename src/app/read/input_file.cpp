@@ -77,7 +77,7 @@ void Input_file::set_content(std::string content) {
   if(content.compare(0, 2, "\x1F\x8B") == 0) {
     std::optional<std::string> bytes = unpacked(name_, content);
     if(!bytes)
-      fail_to_read(name_, "it is compressed with gzip, and is damaged or cut off");
+      fail_to_read(name_, "its gzip data is damaged or truncated");
     content = std::move(*bytes);
   }
   content_ = std::make_shared<const std::string>(std::move(content));

@@ -69,7 +69,7 @@ struct Json_node
 
   std::size_t count() const {
     if(!value.is_number_unsigned())
-      fail("is not a count");
+      fail("is not a non-negative integer");
     return value.get<std::size_t>();
   }
 
@@ -84,7 +84,7 @@ struct Json_node
   std::array<std::size_t, 2> counts() const {
     if(!value.is_array() || value.size() != 2 || !value[0].is_number_unsigned() ||
        !value[1].is_number_unsigned())
-      fail("is not an array of two counts");
+      fail("is not an array of two non-negative integers");
     return {value[0].get<std::size_t>(), value[1].get<std::size_t>()};
   }
 
@@ -92,7 +92,7 @@ struct Json_node
     check_is_triple();
     for(const Json& x : value)
       if(!x.is_number_integer())
-        fail("has something that is not an integer");
+        fail("has an element that is not an integer");
     return {value[0].get<long long>(), value[1].get<long long>(), value[2].get<long long>()};
   }
 
@@ -132,7 +132,7 @@ private:
     if(x.is_null())
       return std::numeric_limits<double>::infinity();
     if(!x.is_number())
-      fail(&x == &value ? "is not a number" : "has something that is not a number");
+      fail(&x == &value ? "is not a number" : "has an element that is not a number");
     return x.get<double>();
   }
 };
@@ -151,7 +151,8 @@ template <typename Read> auto read_json(const Input_file& file, Read read) {
     const Json document = Json::parse(file.content());
     return read(Json_node{document});
   } catch(const Json::exception& exception) {
-    throw Failure(Exit_code::UNREADABLE_FILE, file.name() + " is not JSON: " + exception.what());
+    throw Failure(Exit_code::UNREADABLE_FILE,
+                  file.name() + " is not valid JSON: " + exception.what());
   } catch(const Failure& failure) {
     const std::string what = failure.what(), name = file.name() + ": ";
     throw Failure(failure.code(), what.compare(0, name.size(), name) == 0 ? what : name + what);

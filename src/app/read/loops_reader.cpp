@@ -54,7 +54,7 @@ Basis_kind basis_kind(const Json_node& document) {
 
 Loops_record read_document(const Json_node& document) {
   if(!document.member("format").is(known_format))
-    document.fail("is not of the format " + std::string(known_format));
+    document.fail("does not have the format " + std::string(known_format));
   Loops_record record;
   const Json_node mesh = document.member("mesh");
   record.number_of_vertices = mesh.member("vertices").count();
@@ -185,8 +185,8 @@ private:
     bool is_sound = true;
     for(const long long vertex : {location.source, location.target})
       if(vertex < 0 || vertex >= static_cast<long long>(mesh_.number_of_vertices())) {
-        add_problem_here("vertex " + std::to_string(vertex) + " is not one of the " +
-                         std::to_string(mesh_.number_of_vertices()) + " of the mesh");
+        add_problem_here("vertex " + std::to_string(vertex) + " does not exist: the mesh has " +
+                         std::to_string(mesh_.number_of_vertices()) + " vertices");
         is_sound = false;
       }
     if(!(location.ratio >= 0. && location.ratio <= 1.)) {
@@ -199,7 +199,7 @@ private:
         mesh_.halfedge(Mesh::Vertex_index(static_cast<std::uint32_t>(location.source)),
                        Mesh::Vertex_index(static_cast<std::uint32_t>(location.target)));
     if(halfedge == Mesh::Halfedge_index())
-      add_problem_here("no edge joins the vertices " + std::to_string(location.source) + " and " +
+      add_problem_here("no edge joins vertices " + std::to_string(location.source) + " and " +
                        std::to_string(location.target));
     return halfedge;
   }
@@ -215,7 +215,7 @@ private:
   void check_point(const Point& expected, const std::array<double, 3>& found) {
     for(int i = 0; i < 3; ++i)
       if(!(std::abs(expected[i] - found[i]) <= tolerance_)) {
-        add_problem_here("the point is not where the location is", WRONG_POINT);
+        add_problem_here("the point does not match the location", WRONG_POINT);
         return;
       }
   }

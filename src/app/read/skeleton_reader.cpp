@@ -94,7 +94,7 @@ public:
           used.is_inlet.push_back(lines_.is_inlet[i]);
       }
     if(used.points.empty() && !may_be_empty)
-      fail_to_read(file_.name(), "there are no lines in it");
+      fail_to_read(file_.name(), "it has no lines");
     for(const auto& [p, q] : lines_.edges)
       used.edges.push_back({number[p], number[q]});
     return used;
@@ -128,7 +128,7 @@ public:
 
   Skeleton_record read(const Json_node& document) {
     if(!document.member("format").is(json_format))
-      document.fail("is not of the format " + std::string(json_format));
+      document.fail("does not have the format " + std::string(json_format));
     document.member("nodes").for_each("node", [&](const Json_node& node) { add_node(node); });
     document.member("arcs").for_each("arc", [&](const Json_node& arc) { add_arc(arc); });
     Skeleton_record record = {lines_.finish(true), {}};
@@ -151,7 +151,7 @@ private:
 
   void add_node(const Json_node& node) {
     if(node.member("id").count() != nodes_.size())
-      node.fail("has an id that is not its place");
+      node.fail("has an id that is not its position");
     nodes_.push_back(point_of(node.member("position")));
     const std::size_t p = add_point(nodes_.back());
     lines_.use(p);
@@ -165,7 +165,7 @@ private:
     if(node >= nodes_.size())
       arc.member(name).fail("is not a node");
     if(nodes_[node] != place)
-      arc.fail("has a polyline that does not lead to its " + std::string(name));
+      arc.fail("has a polyline that does not reach its " + std::string(name));
     return node;
   }
 
@@ -215,7 +215,7 @@ std::size_t obj_index(Text_source& text, std::size_t n) {
   char* end = nullptr;
   const long long i = std::strtoll(word.c_str(), &end, 10), size = static_cast<long long>(n);
   if(end == word.c_str() || i == 0 || i > size || i < -size)
-    text.fail(in_quotes(word) + " is none of the " + std::to_string(n) + " points so far");
+    text.fail(in_quotes(word) + " is not one of the " + std::to_string(n) + " points so far");
   return static_cast<std::size_t>(i > 0 ? i - 1 : size + i);
 }
 
@@ -257,7 +257,7 @@ Skeleton_record read_swc(const Input_file& file) {
       text.fail("a point has no radius or no parent");
     const std::size_t n = lines.add_point(point, std::to_string(id));
     if(!number.emplace(id, n).second)
-      text.fail("the number " + std::to_string(id) + " is there twice");
+      text.fail("the number " + std::to_string(id) + " appears twice");
     lines.use(n);
     parents.push_back(parent);
   }
@@ -265,8 +265,8 @@ Skeleton_record read_swc(const Input_file& file) {
     if(parents[i] >= 0) {
       const auto parent = number.find(parents[i]);
       if(parent == number.end())
-        fail_to_read(file.name(), "there is no point " + std::to_string(parents[i]) +
-                                      ", which is to be a parent");
+        fail_to_read(file.name(),
+                     "the parent " + std::to_string(parents[i]) + " of a point does not exist");
       lines.add_edge(parent->second, i);
     }
   return {lines.finish(), {}};
@@ -337,7 +337,7 @@ private:
 
   std::size_t component(double number) const {
     if(!(number >= 0. && number < 1e15))
-      fail_to_read(file_.name(), "a line has a component that is not a count");
+      fail_to_read(file_.name(), "a line has a component that is not a non-negative integer");
     return static_cast<std::size_t>(number);
   }
 
@@ -386,14 +386,14 @@ private:
     const auto number = [&](const char* name) {
       const std::vector<double> all = numbers_of_text(file_, data[name]);
       if(all.size() != 1)
-        fail_to_read(file_.name(), "the node " + id + " has no " + name);
+        fail_to_read(file_.name(), "node " + id + " has no " + name);
       return all.front();
     };
     const double x = number("x"), y = number("y"), z = number("z");
     const std::size_t n = lines_.add_point(Point(x, y, z), id);
     lines_.use(n);
     if(!number_of_.emplace(id, n).second)
-      fail_to_read(file_.name(), "the node " + id + " is there twice");
+      fail_to_read(file_.name(), "node " + id + " appears twice");
     if(data.count("component") != 0)
       lines_.set_component(n, static_cast<std::size_t>(number("component")));
     if(data.count("inlet") != 0)
@@ -403,7 +403,7 @@ private:
   std::size_t number_of(const std::string& id) const {
     const auto it = number_of_.find(id);
     if(it == number_of_.end())
-      fail_to_read(file_.name(), "an edge leads to the node " + id + ", which does not exist");
+      fail_to_read(file_.name(), "an edge refers to node " + id + ", which does not exist");
     return it->second;
   }
 

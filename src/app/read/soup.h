@@ -112,8 +112,8 @@ inline std::string name_of_edge(std::size_t u, std::size_t v) {
 /// that a face names a vertex, counted from `first`, which is not among those of the file.
 inline std::string
 no_such_vertex(std::size_t face, long long vertex, std::size_t number_of_vertices, int first = 0) {
-  return name_of_face(face) + " names vertex " + std::to_string(vertex) + " of " +
-         std::to_string(number_of_vertices) + " (they count from " + std::to_string(first) + ")";
+  return name_of_face(face) + " uses vertex " + std::to_string(vertex) + ", but there are only " +
+         std::to_string(number_of_vertices) + " (numbered from " + std::to_string(first) + ")";
 }
 
 /// throws `Failure` if a face names a vertex that is not there.
@@ -136,7 +136,7 @@ public:
 
   /// what was found, without the count: of one element, or of several.
   std::string words(const std::string& one, const std::string& many) const {
-    return count_ == 1 ? one + ": " + example_ : many + ", the first is " + example_;
+    return count_ == 1 ? one + ": " + example_ : many + ", first: " + example_;
   }
 
 private:

@@ -195,10 +195,10 @@ private:
     if(disoriented.count() == 0)
       return;
     report(disoriented, Mesh_defect::INCONSISTENT_ORIENTATION,
-           "edge has two faces that are oriented differently",
-           "edges have two faces that are oriented differently",
-           is_orientable() ? " (flipping faces would mend it)"
-                           : " (no flipping of faces mends it: the surface is "
+           "edge has two faces with inconsistent orientation",
+           "edges have two faces with inconsistent orientation",
+           is_orientable() ? " (flipping faces would fix it)"
+                           : " (flipping faces cannot fix it: the surface is "
                              "not orientable)");
   }
 

@@ -128,7 +128,7 @@ void Text_source::skip_numbers() {
 
 void Text_source::expect_end(const std::string& last) {
   if(skip_to_content())
-    fail(in_quotes(word()) + " follows " + last);
+    fail("unexpected " + in_quotes(word()) + " after " + last);
 }
 
 void Text_source::fail(const std::string& problem) const {

@@ -34,7 +34,7 @@ std::size_t most_bytes_of_few() {
 void check_room(const std::string& file, std::size_t bytes) {
   static const std::size_t most = most_bytes_of_few();
   if(bytes > most)
-    fail_to_read(file, "its content would take more than " + in_megabytes(most) +
+    fail_to_read(file, "its content would need more than " + in_megabytes(most) +
                            ", a quarter of the available memory");
 }
 
@@ -48,7 +48,7 @@ std::optional<std::string> unpacked(const std::string& file,
       check_room(file, bytes_before + size);
     });
   } catch(const std::bad_alloc&) {
-    fail_to_read(file, "there is no memory left to unpack it");
+    fail_to_read(file, "not enough memory to decompress it");
   }
 }
 

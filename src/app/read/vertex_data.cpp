@@ -114,7 +114,7 @@ Words unread_in_off(const std::string& file, std::string_view text, bool keeps_c
   if(header.has_texture_coordinates)
     add(found, "texture coordinates");
   if(header.has_colours && !keeps_colours)
-    add(found, "vertex colours");
+    add(found, "vertex colors");
   if(header.has_normals)
     add(found, "normals");
   if(header.is_free_form)
@@ -124,12 +124,12 @@ Words unread_in_off(const std::string& file, std::string_view text, bool keeps_c
     source.skip_to_content();
     if(v == 0 && says_nothing && !keeps_colours &&
        numbers_left(source) > (header.is_homogeneous ? 4 : 3))
-      add(found, "vertex colours");
+      add(found, "vertex colors");
   }
   long long corners = 0;
   if(header.number_of_faces > 0 && source.skip_to_content() && source.read(corners) &&
      numbers_left(source) > static_cast<std::size_t>((std::max)(corners, 0ll)))
-    add(found, "face colours");
+    add(found, "face colors");
   return found;
 }
 
@@ -152,7 +152,7 @@ Words unread_in_obj(const std::string& file, std::string file_text) {
       if(keyword == name)
         add(found, words);
     if(keyword == "v" && numbers_left(cursor) >= 6)
-      add(found, "vertex colours");
+      add(found, "vertex colors");
   }
   return found;
 }
@@ -194,14 +194,14 @@ std::vector<double> read_values(const Input_file& file, std::size_t number_of_ve
   while(cursor.skip_to_content()) {
     double value = 0.;
     if(!cursor.read(value))
-      fail_to_read(file.name(), "line " + std::to_string(cursor.line()) + ": no number");
+      fail_to_read(file.name(), "line " + std::to_string(cursor.line()) + ": expected a number");
     if(!std::isfinite(value))
       fail_to_read(file.name(),
                    "the value of vertex " + std::to_string(values.size()) + " is not finite");
     values.push_back(value);
   }
   if(values.size() != number_of_vertices)
-    fail_to_read(file.name(), "there are " + std::to_string(values.size()) + " values for " +
+    fail_to_read(file.name(), "it has " + std::to_string(values.size()) + " values for " +
                                   std::to_string(number_of_vertices) + " vertices");
   return values;
 }

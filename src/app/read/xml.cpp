@@ -66,14 +66,14 @@ bool is_too_deep(std::string_view document) {
 
 Xml_tree read_xml(const Input_file& file, std::string_view document) {
   if(is_too_deep(document))
-    fail_to_read(file.name(), "elements of its XML are nested too deep");
+    fail_to_read(file.name(), "its XML elements are nested too deeply");
   Xml_tree tree;
   boost::iostreams::stream<boost::iostreams::array_source> stream(document.data(), document.size());
   try {
     boost::property_tree::read_xml(stream, tree);
   } catch(const boost::property_tree::xml_parser_error& error) {
-    fail_to_read(file.name(),
-                 "it is not XML: " + error.message() + " in line " + std::to_string(error.line()));
+    fail_to_read(file.name(), "it is not valid XML: " + error.message() + " in line " +
+                                  std::to_string(error.line()));
   }
   return tree;
 }

@@ -252,8 +252,8 @@ std::string list_of_ways(const std::vector<Removed_handle>& handles) {
 std::string
 table_of_changes(const std::string& file, const std::vector<Change>& changes, bool is_dry_run) {
   if(changes.empty())
-    return "htloops: " + file + (is_dry_run ? " needs" : " needed") + " no mending\n";
-  std::string table = "htloops: " + file + (is_dry_run ? " would be" : " was") + " mended:\n";
+    return "htloops: " + file + (is_dry_run ? " needs" : " needed") + " no repair\n";
+  std::string table = "htloops: " + file + (is_dry_run ? " would be" : " was") + " repaired:\n";
   for(const Change& change : changes)
     table += formatted("%9zu  ", change.count) + change.words + "\n";
   return table;

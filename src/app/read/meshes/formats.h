@@ -107,7 +107,7 @@ public:
   /// fails if there is more than all elements, but for bytes: some programs fill up the last block.
   void end() {
     if(is_text_)
-      text_.expect_end("the last of the elements that the header declares");
+      text_.expect_end("the last element that the header declares");
   }
 
   /// reads the next number; false if there is none.

@@ -31,8 +31,8 @@ public:
     const std::size_t points = count("vertices"), faces = count("faces");
     constexpr std::size_t row = 12;
     if(data_.bytes_left() / row < points || data_.bytes_left() / row - points < faces)
-      data_.fail("it announces " + std::to_string(points) + " vertices and " +
-                 std::to_string(faces) + " faces, but ends before that");
+      data_.fail("it declares " + std::to_string(points) + " vertices and " +
+                 std::to_string(faces) + " faces, but ends before the last of them");
     for(std::size_t i = 0; i < points; ++i) {
       const auto [x, y, z] = read_row<float>();
       soup_.points.emplace_back(x, y, z);
@@ -52,7 +52,7 @@ private:
     if(content.substr(0, of_quadrangles.size()) == of_quadrangles)
       fail_to_read(
           file_.name(),
-          "it is a FreeSurfer surface of quadrangles; mris_convert makes triangles of them");
+          "FreeSurfer quadrangle surfaces are not supported: convert the file with mris_convert");
     const std::size_t line = content.find('\n');
     if(content.substr(0, of_triangles.size()) != of_triangles || line == content.npos)
       fail_to_read(file_.name(), "it is not a FreeSurfer surface");
@@ -62,7 +62,7 @@ private:
   std::size_t count(const char* of) {
     std::int32_t number = 0;
     if(!data_.read(number) || number < 0)
-      data_.fail("it does not say how many " + std::string(of) + " there are");
+      data_.fail("its number of " + std::string(of) + " is missing");
     return static_cast<std::size_t>(number);
   }
 

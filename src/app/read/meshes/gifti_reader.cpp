@@ -35,9 +35,8 @@ public:
       if(kind == "DataArray")
         read_array(array);
     if(!has_points_ || !has_triangles_)
-      fail_to_read(
-          file_.name(),
-          "it has data on a surface, but not the surface itself, which is in a .surf.gii file");
+      fail_to_read(file_.name(),
+                   "it has data on a surface, but not the surface itself: use its .surf.gii file");
     check_corners(file_.name(), soup_);
     soup_.facts.unit = Unit::MILLIMETER;
     return std::move(soup_);
@@ -47,16 +46,16 @@ private:
   void read_array(const Xml_tree& array) {
     const std::string intent = xml_attribute(array, "Intent");
     if(intent == "NIFTI_INTENT_POINTSET") {
-      has_points_ = check_is_first(has_points_, "sets of points");
+      has_points_ = check_is_first(has_points_, "point sets");
       for_each_row(array,
                    [this](double x, double y, double z) { soup_.points.emplace_back(x, y, z); });
     } else if(intent == "NIFTI_INTENT_TRIANGLE") {
-      has_triangles_ = check_is_first(has_triangles_, "sets of triangles");
+      has_triangles_ = check_is_first(has_triangles_, "triangle sets");
       for_each_row(array, [this](double a, double b, double c) {
         soup_.add_face(std::array<std::uint64_t, 3>{vertex(a), vertex(b), vertex(c)});
       });
     } else if(soup_.facts.unread.empty())
-      soup_.facts.unread = {"data of vertices"};
+      soup_.facts.unread = {"vertex data"};
   }
 
   bool check_is_first(bool has_one, const char* what) const {
@@ -74,7 +73,7 @@ private:
     const std::vector<double> x = numbers_of(array);
     const std::size_t rows = array.get("<xmlattr>.Dim0", std::size_t(0));
     if(array.get("<xmlattr>.Dim1", 0) != 3 || rows > x.size() || x.size() != 3 * rows)
-      fail_to_read(file_.name(), "an array does not have as many numbers as it says");
+      fail_to_read(file_.name(), "an array does not have the declared number of values");
     const bool by_rows = xml_attribute(array, "ArrayIndexingOrder") != "ColumnMajorOrder";
     const std::size_t row = by_rows ? 3 : 1, column = by_rows ? 1 : rows;
     for(std::size_t i = 0; i < rows; ++i)
@@ -88,7 +87,7 @@ private:
     if(encoding == "ExternalFileBinary")
       fail_to_read(file_.name(), "its arrays are in another file, " +
                                      in_quotes(xml_attribute(array, "ExternalFileName")) +
-                                     "; save it as one file");
+                                     ": save it as one file");
     std::string bytes = htl_window::bytes_of_base64(text);
     if(encoding == "GZipBase64Binary") {
       std::optional<std::string> all = unpacked(file_.name(), bytes);
@@ -110,7 +109,7 @@ private:
       return read_as<std::int32_t>;
     if(type == "NIFTI_TYPE_UINT8")
       return read_as<std::uint8_t>;
-    fail_to_read(file_.name(), "an array has numbers of the unknown type " + in_quotes(type));
+    fail_to_read(file_.name(), "an array has the unknown type " + in_quotes(type));
   }
 
   const Input_file& file_;

@@ -127,13 +127,13 @@ public:
       for(const int root : roots())
         add_node(root, Transform(CGAL::IDENTITY));
     if(soup_.faces.empty())
-      fail("there are no triangles in its scene");
+      fail("its scene has no triangles");
     check_corners(file_.name(), soup_);
     soup_.facts.unit = Unit::METER;
     soup_.facts.is_parted_at_seams = true;
     for(const auto& [words, is_there] :
         {std::pair("normals", has_normals_), std::pair("texture coordinates", has_texture_),
-         std::pair("vertex colours", has_colours_),
+         std::pair("vertex colors", has_colours_),
          std::pair("materials", !model_.materials.empty()),
          std::pair("skins", !model_.skins.empty()),
          std::pair("animations", !model_.animations.empty())})
@@ -154,7 +154,7 @@ private:
   void load() {
     const std::string_view content = file_.content();
     if(content.size() > (std::numeric_limits<unsigned>::max)())
-      fail("a glTF file has at most four gigabytes");
+      fail("a glTF file cannot be larger than 4 GB");
     const auto size = static_cast<unsigned>(content.size());
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(skip_image, nullptr);
@@ -168,7 +168,7 @@ private:
                                           size, folder)
             : reader.LoadASCIIFromString(&model_, &error, &warning, content.data(), size, folder);
     if(!is_read)
-      fail("it is not glTF 2.0, or is damaged: " + first_line(error));
+      fail("it is not a valid glTF 2.0 file: " + first_line(error));
   }
 
   static std::string first_line(const std::string& text) {
@@ -190,7 +190,7 @@ private:
 
   [[noreturn]] void fail_at_extension(const std::string& name) const {
     const bool is_compression = boost::algorithm::contains(name, "compression");
-    fail("it needs the extension " + in_quotes(name) + ", which is not supported" +
+    fail("it requires the extension " + in_quotes(name) + ", which is not supported" +
          (is_compression ? ": save it without compression" : ""));
   }
 
@@ -220,7 +220,7 @@ private:
   template <typename Elements>
   auto& element(Elements& elements, int number, const char* what) const {
     if(number < 0 || static_cast<std::size_t>(number) >= elements.size())
-      fail("it names a " + std::string(what) + " that does not exist");
+      fail("it refers to a nonexistent " + std::string(what));
     return elements[static_cast<std::size_t>(number)];
   }
 
@@ -290,8 +290,8 @@ private:
     }
     const auto vertex = [&](std::size_t i) {
       if(!(corners[i] >= 0. && corners[i] < static_cast<double>(points.count)))
-        fail(name_of_face(soup_.faces.size()) + " names a vertex that does not exist: there are " +
-             std::to_string(points.count) + ", counted from 0");
+        fail(name_of_face(soup_.faces.size()) + " uses a vertex that does not exist: there are " +
+             std::to_string(points.count) + ", numbered from 0");
       return points.first + static_cast<std::size_t>(corners[i]);
     };
     const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
@@ -347,7 +347,7 @@ private:
     const auto& [count, is_sparse, indices, values] = accessor.sparse;
     if(count < 0 || indices.byteOffset < 0 || values.byteOffset < 0 ||
        static_cast<std::size_t>(count) > rows.count)
-      fail("a sparse accessor has more rows than there are");
+      fail("a sparse accessor replaces more rows than exist");
     const auto part = [count = static_cast<std::size_t>(count)](const auto& where, int type,
                                                                 int width, bool is_normalized) {
       return Rows{where.bufferView, static_cast<std::size_t>(where.byteOffset), count, type, width,
@@ -370,16 +370,16 @@ private:
     const std::vector<unsigned char>& bytes = element(model_.buffers, view.buffer, "buffer").data;
     const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(rows.type));
     if(size <= 0)
-      fail("an accessor has an unknown type of numbers");
+      fail("an accessor has an unknown component type");
     const auto row = static_cast<std::size_t>(size * rows.width);
     const std::size_t stride = view.byteStride == 0 ? row : view.byteStride;
     if(stride < row)
-      fail("an accessor has rows that overlap");
+      fail("the rows of an accessor overlap");
     if(view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset ||
        rows.offset > view.byteLength ||
        (rows.count > 0 && (view.byteLength - rows.offset < row ||
                            (view.byteLength - rows.offset - row) / stride < rows.count - 1)))
-      fail("an accessor goes beyond its buffer");
+      fail("an accessor extends beyond its buffer");
     std::vector<double> numbers;
     numbers.reserve(rows.count * static_cast<std::size_t>(rows.width));
     const std::string_view all(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -418,7 +418,7 @@ private:
       read_as<float>(source, x);
       break;
     default:
-      fail("an accessor has an unknown type of numbers");
+      fail("an accessor has an unknown component type");
     }
     return rows.is_normalized ? (std::max)(x / largest, -1.) : x;
   }

@@ -68,7 +68,7 @@ bool is_utf16(std::string_view content) {
   for(const Missing_format& format : missing_formats)
     if(!format.ending.empty() && file.is_of_format(format.ending))
       fail_to_read(file.name(), "this build cannot read " + std::string(format.ending) +
-                                    ": it was made without " + format.needs);
+                                    ": it was built without " + format.needs);
   fail_to_read(file.name(), "its extension does not name a supported format; those are: " +
                                 words_of_mesh_endings() +
                                 " (--format says which one it is, whatever its name)");

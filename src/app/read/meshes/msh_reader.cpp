@@ -51,7 +51,7 @@ public:
       if(word.substr(0, 4) != "$End" && word.substr(0, 1) == "$")
         return word.substr(1);
       if(word.substr(0, 1) != "$")
-        text_.fail(in_quotes(word) + " is not a section of MSH");
+        text_.fail(in_quotes(word) + " is not an MSH section");
     }
     return {};
   }
@@ -66,16 +66,16 @@ public:
   void read_format() {
     if(!text_.read(version_) ||
        !((2. <= version_ && version_ < 3.) || (4. <= version_ && version_ < 5.)))
-      text_.fail("its version of MSH is not supported: save it as 2.2 or 4.1");
+      text_.fail("this MSH version is not supported: save the file as 2.2 or 4.1");
     long long is_binary = 0, size_of_real = 0;
     if(!text_.read(is_binary) || !text_.read(size_of_real) || size_of_real != sizeof(double))
-      text_.fail("expected the file type, 0 or 1, and the size of a number, 8");
+      text_.fail("expected the file type (0 or 1) and the data size (8)");
     text_.skip_line();
     is_text_ = is_binary == 0;
     if(is_text_)
       return;
     if(is_of_version_4() && !has_long_numbers())
-      text_.fail("it is binary MSH 4.0, which is not supported: save it as 4.1");
+      text_.fail("binary MSH 4.0 is not supported: save the file as 4.1");
     std::int32_t one = 0;
     Binary_source bytes(file_.name(), file_.content(), text_.position(), true);
     bytes.read(one);
@@ -173,7 +173,7 @@ public:
         content_.read_format();
         has_format = true;
       } else if(!has_format)
-        fail_to_read(file_.name(), "it does not begin with $MeshFormat, as MSH does");
+        fail_to_read(file_.name(), "an MSH file must begin with $MeshFormat");
       else if(section == "Nodes")
         content_.is_of_version_4() ? read_nodes() : read_nodes_of_version_2();
       else if(section == "Elements")
@@ -181,21 +181,20 @@ public:
       content_.skip_section(section);
     }
     if(!has_format)
-      fail_to_read(file_.name(), "it does not begin with $MeshFormat, as MSH does");
+      fail_to_read(file_.name(), "an MSH file must begin with $MeshFormat");
     if(soup_.faces.empty())
-      fail_to_read(file_.name(), has_volumes_
-                                     ? "it has elements of a volume, and none of a surface: "
-                                       "save its surface, too"
-                                     : "it has no triangles");
+      fail_to_read(file_.name(), has_volumes_ ? "it has volume elements but no surface elements: "
+                                                "save its surface, too"
+                                              : "it has no triangles");
     if(has_volumes_)
-      soup_.facts.unread = {"the elements of a volume"};
+      soup_.facts.unread = {"volume elements"};
     return std::move(soup_);
   }
 
 private:
   void add_node(long long tag, const std::array<double, 3>& x) {
     if(!numbers_.emplace(tag, soup_.points.size()).second)
-      content_.fail("the node " + std::to_string(tag) + " is there twice");
+      content_.fail("node " + std::to_string(tag) + " appears twice");
     soup_.points.emplace_back(x[0], x[1], x[2]);
   }
 
@@ -209,7 +208,7 @@ private:
   void read_nodes_of_version_2() {
     const long long count = content_.count_in_text("the number of nodes");
     for(long long i = 0; i < count; ++i) {
-      const long long tag = content_.integer("the number of a node");
+      const long long tag = content_.integer("a node number");
       add_node(tag, read_point());
     }
     content_.end_data();
@@ -219,11 +218,11 @@ private:
   // coordinates. Version 4.1 has the numbers of all nodes of a block before their places.
   void read_nodes() {
     content_.begin_data();
-    const long long blocks = content_.count("the number of blocks of nodes");
+    const long long blocks = content_.count("the number of node blocks");
     content_.count("the number of nodes");
     if(content_.has_long_numbers()) {
-      content_.count("the least number of a node");
-      content_.count("the largest number of a node");
+      content_.count("the smallest node number");
+      content_.count("the largest node number");
     }
     for(long long block = 0; block < blocks; ++block)
       read_block_of_nodes();
@@ -234,14 +233,14 @@ private:
     const bool are_tags_first = content_.has_long_numbers();
     const long long first = content_.integer("an entity"), second = content_.integer("an entity");
     const long long dimension = are_tags_first ? first : second;
-    const bool is_parametric = content_.integer("whether there are parameters") != 0;
-    const long long count = content_.count("the number of nodes of a block");
+    const bool is_parametric = content_.integer("the parametric flag") != 0;
+    const long long count = content_.count("the number of nodes in a block");
     std::vector<long long> tags;
     for(long long i = 0; are_tags_first && i < count; ++i)
-      tags.push_back(content_.number("the number of a node"));
+      tags.push_back(content_.number("a node number"));
     for(long long i = 0; i < count; ++i) {
-      const long long tag = are_tags_first ? tags[static_cast<std::size_t>(i)]
-                                           : content_.integer("the number of a node");
+      const long long tag =
+          are_tags_first ? tags[static_cast<std::size_t>(i)] : content_.integer("a node number");
       add_node(tag, read_point());
       for(long long k = 0; is_parametric && k < dimension; ++k)
         content_.real("a parameter");
@@ -252,7 +251,7 @@ private:
     const auto type = std::find_if(std::begin(msh_types), std::end(msh_types),
                                    [number](const Msh_type& t) { return t.number == number; });
     if(type == std::end(msh_types))
-      content_.fail("elements of the unknown type " + std::to_string(number));
+      content_.fail("unknown element type " + std::to_string(number));
     return *type;
   }
 
@@ -271,7 +270,7 @@ private:
   std::size_t number_of(long long tag) const {
     const auto found = numbers_.find(tag);
     if(found == numbers_.end())
-      content_.fail("an element has the node " + std::to_string(tag) + ", which does not exist");
+      content_.fail("an element uses node " + std::to_string(tag) + ", which does not exist");
     return found->second;
   }
 
@@ -281,7 +280,7 @@ private:
     const long long count = content_.count_in_text("the number of elements");
     long long of_block = 1, tags = 0;
     for(long long i = 0; i < count; i += of_block) {
-      const auto head = [this] { return content_.integer("the header of a block of elements"); };
+      const auto head = [this] { return content_.integer("the header of an element block"); };
       if(content_.is_text())
         head(); // the number of the element
       const Msh_type& type = type_of(head());
@@ -289,10 +288,10 @@ private:
         of_block = head();
       tags = head();
       if(of_block < 1 || tags < 0)
-        content_.fail("an invalid header of a block of elements");
+        content_.fail("an element block has an invalid header");
       for(long long k = 0; k < of_block; ++k) {
         for(long long t = content_.is_text() ? 0 : -1; t < tags; ++t)
-          content_.integer("a tag of an element");
+          content_.integer("an element tag");
         read_element(type);
       }
     }
@@ -301,19 +300,19 @@ private:
 
   void read_elements() {
     content_.begin_data();
-    const long long blocks = content_.count("the number of blocks of elements");
+    const long long blocks = content_.count("the number of element blocks");
     content_.count("the number of elements");
     if(content_.has_long_numbers()) {
-      content_.count("the least number of an element");
-      content_.count("the largest number of an element");
+      content_.count("the smallest element number");
+      content_.count("the largest element number");
     }
     for(long long block = 0; block < blocks; ++block) {
       content_.integer("an entity");
       content_.integer("an entity");
-      const Msh_type& type = type_of(content_.integer("the type of elements"));
-      const long long count = content_.count("the number of elements of a block");
+      const Msh_type& type = type_of(content_.integer("the element type"));
+      const long long count = content_.count("the number of elements in a block");
       for(long long i = 0; i < count; ++i) {
-        content_.number("the number of an element");
+        content_.number("an element number");
         read_element(type);
       }
     }

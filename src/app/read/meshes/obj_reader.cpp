@@ -86,14 +86,14 @@ private:
     else if(is_passed_over(keyword))
       text_.skip_line();
     else
-      text_.fail("OBJ has no element " + in_quotes(keyword));
+      text_.fail("unknown OBJ keyword " + in_quotes(keyword));
   }
 
   // The coordinates may be followed by a weight or a colour.
   void read_point() {
     double x, y, z;
     if(!text_.read(x) || !text_.read(y) || !text_.read(z))
-      text_.fail_incomplete("a vertex without three coordinates");
+      text_.fail_incomplete("a vertex does not have three coordinates");
     soup_.points.emplace_back(x, y, z);
     text_.skip_numbers();
   }
@@ -114,7 +114,7 @@ private:
     const std::string_view word = text_.word();
     long long number;
     if(!parse_corner(word, number))
-      text_.fail(in_quotes(word) + " is not a corner of a face");
+      text_.fail(in_quotes(word) + " is not a face corner");
     const auto size = static_cast<long long>(soup_.points.size());
     if(number == 0 || number < -size || number > (std::numeric_limits<std::uint32_t>::max)())
       text_.fail(no_such_vertex(soup_.faces.size(), number, soup_.points.size(), first_vertex));

@@ -40,7 +40,7 @@ Off_header read_keyword(Text_source& text) {
   header.has_normals = take_prefix(keyword, "N");
   header.is_homogeneous = take_prefix(keyword, "4");
   if(keyword == "nOFF" || keyword == "SKEL")
-    text.fail("an OFF file of the kind " + std::string(keyword) + " is not supported");
+    text.fail("OFF files of kind " + std::string(keyword) + " are not supported");
   if(keyword != "OFF")
     text.fail("an OFF file begins with the word OFF or with the numbers of vertices and faces");
   text.skip_to_content();
@@ -164,7 +164,7 @@ Off_header read_off_header(Text_source& text) {
   header.is_free_form = !text.is_at_line_end();
   if(header.is_free_form &&
      (header.has_texture_coordinates || header.has_colours || header.has_normals))
-    text.fail("where vertices have colours or normals, each has a line of its own");
+    text.fail("vertices with colors or normals need a line each");
   return header;
 }
 

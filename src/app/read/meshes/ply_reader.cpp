@@ -23,7 +23,7 @@ namespace {
 void check_version(Text_source& text) {
   const std::string_view version = text.word();
   if(version != "1.0" && !version.empty())
-    text.fail("the unknown version " + in_quotes(version) + " of PLY");
+    text.fail("unknown PLY version " + in_quotes(version));
 }
 
 Ply_format read_format(Text_source& text) {
@@ -33,7 +33,7 @@ Ply_format read_format(Text_source& text) {
   if(format == "binary_little_endian")
     return Ply_format::BINARY_LITTLE_ENDIAN;
   if(format != "binary_big_endian")
-    text.fail("the unknown format " + in_quotes(format));
+    text.fail("unknown PLY format " + in_quotes(format));
   return Ply_format::BINARY_BIG_ENDIAN;
 }
 
@@ -42,7 +42,7 @@ Ply_element read_element(Text_source& text) {
   element.name = text.word();
   long long count;
   if(!text.read(count) || count < 0)
-    text.fail("an element without a name and a number");
+    text.fail("an element needs a name and a count");
   element.count = static_cast<std::size_t>(count);
   return element;
 }
@@ -72,13 +72,13 @@ Ply_property read_property(Text_source& text) {
     const std::string_view count_type = text.word();
     property.count_type = ply_type(count_type);
     if(!property.is_list() || !property.count_type->is_integer)
-      text.fail("a list whose length is of the type " + in_quotes(count_type) +
+      text.fail("the length of a list has the type " + in_quotes(count_type) +
                 ", which is not an integer type");
     property.type_name = text.word();
   }
   property.type = ply_type(property.type_name);
   if(property.type == nullptr)
-    text.fail("a property of the unknown type " + in_quotes(property.type_name));
+    text.fail("unknown property type " + in_quotes(property.type_name));
   property.name = text.word();
   return property;
 }
@@ -116,7 +116,7 @@ public:
   Soup parse() {
     for(const Ply_element& element : header_.elements) {
       if(element.properties.empty() && element.count != 0)
-        fail_to_read(file_, "its header declares " + element.name + " without any property");
+        fail_to_read(file_, "its header declares " + element.name + " without properties");
       if(element.has_vertices())
         read_points(element);
       else if(element.has_faces())
@@ -220,7 +220,8 @@ private:
           read_list(element, property, values_[i], ignore);
       }
       if(!numbers_.end_element())
-        numbers_.fail(name_of_item(element) + " has more on its line than the header declares");
+        numbers_.fail(name_of_item(element) +
+                      " has more values on its line than the header declares");
       keep();
     }
   }
@@ -283,14 +284,14 @@ Ply_header read_ply_header(Text_source& text) {
       header.elements.push_back(read_element(text));
     } else if(keyword == "property") {
       if(header.elements.empty())
-        text.fail("a property before any element");
+        text.fail("a property comes before the first element");
       header.elements.back().properties.push_back(read_property(text));
     } else if(keyword == "end_header") {
       text.skip_line();
       return header;
     }
   }
-  text.fail("the header has no end");
+  text.fail("the header has no end_header");
 }
 
 bool Ply_numbers::read(const Ply_type& type, double& value) {

@@ -35,7 +35,7 @@ public:
   Soup parse() {
     text_.skip_to_content();
     if(!is_keyword(text_.word(), "solid"))
-      text_.fail("an STL file in text form begins with the word solid");
+      text_.fail("a text STL file begins with the word solid");
     skip_name();
     bool is_in_solid = true;
     while(text_.skip_to_content()) {
@@ -45,7 +45,7 @@ public:
       } else if(is_keyword(word, is_in_solid ? "endsolid" : "solid")) {
         is_in_solid = skip_name() || !is_in_solid;
       } else {
-        text_.fail(in_quotes(word) + " is out of place");
+        text_.fail("unexpected " + in_quotes(word));
       }
     }
     if(is_in_solid)
@@ -129,8 +129,8 @@ Soup read_binary(const std::string& file, std::string_view content) {
     fail_to_read(file, "it ends after " + std::to_string(found) + " of " +
                            std::to_string(announced) + " faces");
   if(found > announced) // less than a face may follow
-    fail_to_read(file, "it announces " + counted(announced, "face", "faces") +
-                           ", but has room for " + std::to_string(found));
+    fail_to_read(file, "its header declares " + counted(announced, "face", "faces") +
+                           ", but the file holds " + std::to_string(found));
   Soup soup;
   Point_merger merger;
   for(std::uint32_t facet = 0; facet < announced; ++facet) {

@@ -102,7 +102,7 @@ public:
       if(failure_)
         std::rethrow_exception(failure_);
       if(!is_read)
-        fail_to_read(file_.name(), std::string("its model is not XML: ") +
+        fail_to_read(file_.name(), std::string("its model is not valid XML: ") +
                                        XML_ErrorString(XML_GetErrorCode(parser_)) + " in line " +
                                        std::to_string(XML_GetCurrentLineNumber(parser_)));
     }
@@ -182,7 +182,7 @@ public:
     for(const Placed_object& item : items_)
       add(item, 0);
     if(soup_.faces.empty())
-      fail_to_read(file_.name(), "it has nothing to build");
+      fail_to_read(file_.name(), "its build has no triangles");
     check_corners(file_.name(), soup_);
     return std::move(soup_);
   }
@@ -239,12 +239,11 @@ private:
 
   void check_extensions(const Xml_elements& elements, const Attributes& attributes) {
     for_each_unknown(elements, attributes["requiredextensions"], [&](const std::string& name) {
-      fail_to_read(file_.name(), "it needs the extension " + name +
-                                     " of 3MF, which is not supported: save it as triangles "
-                                     "alone");
+      fail_to_read(file_.name(), "it requires the 3MF extension " + name +
+                                     ", which is not supported: save it as plain triangles");
     });
     for_each_unknown(elements, attributes["recommendedextensions"], [&](const std::string& name) {
-      const std::string words = "what the extension " + name + " of 3MF adds";
+      const std::string words = "data of the 3MF extension " + name;
       std::vector<std::string>& unread = soup_.facts.unread;
       if(std::find(unread.begin(), unread.end(), words) == unread.end())
         unread.push_back(words);
@@ -253,8 +252,7 @@ private:
 
   void check_resolution(const Attributes& attributes) const {
     if(attributes[resolution_beside_slices] == "lowres")
-      fail_to_read(file_.name(),
-                   "its triangles are only a coarse stand-in for slices, which are not supported");
+      fail_to_read(file_.name(), "its triangles only approximate slices, which are not supported");
   }
 
   void read_unit(std::string_view name) {
@@ -266,7 +264,7 @@ private:
         soup_.facts.unit = unit;
         return;
       }
-    fail_to_read(file_.name(), "it has the unknown unit " + in_quotes(name));
+    fail_to_read(file_.name(), "unknown unit " + in_quotes(name));
   }
 
   void read_element(const std::string& part,
@@ -324,13 +322,13 @@ private:
     check_size(file_.name(), soup_);
     const auto found = objects_.find(placed.name);
     if(found == objects_.end())
-      fail_to_read(file_.name(), "it names the object " + in_quotes(placed.name.second) +
+      fail_to_read(file_.name(), "it refers to object " + in_quotes(placed.name.second) +
                                      ", which does not exist");
     constexpr int deepest = 100;
     constexpr std::size_t most_objects = 1000000;
     if(depth > deepest || ++number_of_objects_ > most_objects ||
        3 * soup_.faces.size() > Soup::largest_number_of_halfedges)
-      fail_to_read(file_.name(), "its components are too many, or nested too deep");
+      fail_to_read(file_.name(), "its components are too many, or nested too deeply");
     add_mesh(found->second, placed.transform);
     for(const Placed_object& component : found->second.components)
       add({component.name, placed.transform * component.transform}, depth + 1);

@@ -44,15 +44,15 @@ public:
     else if(const Xml_tree* grid = document_.data_set("UnstructuredGrid"))
       document_.for_each_piece(*grid, [this](const Xml_tree& piece) { read_cells(piece); });
     else
-      fail_to_read(file_.name(), "it is neither PolyData nor an UnstructuredGrid of VTK");
+      fail_to_read(file_.name(), "it is neither VTK PolyData nor a VTK UnstructuredGrid");
     if(soup_.faces.empty())
       fail_to_read(file_.name(), has_volumes_
-                                     ? "it has cells of a volume, and no faces: extract its "
-                                       "surface (in ParaView) first"
+                                     ? "it has volume cells but no faces: extract its surface "
+                                       "first, for example in ParaView"
                                      : "it has no faces");
     check_corners(file_.name(), soup_);
     if(has_volumes_)
-      soup_.facts.unread.push_back("cells of a volume");
+      soup_.facts.unread.push_back("volume cells");
     return std::move(soup_);
   }
 
@@ -71,7 +71,7 @@ private:
     for(const char* section : {"PointData", "CellData"})
       if(const auto arrays = piece.get_child_optional(section))
         if(arrays->count("DataArray") > 0 && soup_.facts.unread.empty())
-          soup_.facts.unread = {"data of points and cells"};
+          soup_.facts.unread = {"point and cell data"};
   }
 
   void read_polygons(const Xml_tree& piece) {
@@ -126,8 +126,8 @@ private:
       return add_strip(cell);
     default:
       if(is_curved_face(type))
-        fail_to_read(file_.name(), "it has faces of the type " + std::to_string(int(type)) +
-                                       " of VTK, which is not supported: triangulate them");
+        fail_to_read(file_.name(), "faces of VTK type " + std::to_string(int(type)) +
+                                       " are not supported: triangulate them");
       has_volumes_ = has_volumes_ || !is_line(type);
     }
   }

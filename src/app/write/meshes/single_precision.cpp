@@ -26,9 +26,8 @@ void check_single_precision(const Written_mesh& written, double scale) {
       const double x = scale * point[i];
       largest = std::isfinite(x) ? (std::max)(largest, std::abs(x)) : 2. * most;
       if(largest > most)
-        throw wrong_usage(
-            "the coordinates are too large for numbers of single precision, which this "
-            "format has: .off .obj .ply .3mf .vtp .vtu .msh have room for them");
+        throw wrong_usage("the coordinates are too large for the single precision of this format: "
+                          "use .off .obj .ply .3mf .vtp .vtu or .msh");
       farthest = (std::max)(farthest, std::abs(x - static_cast<double>(static_cast<float>(x))));
     }
     const auto& [x, y, z] = point;
@@ -37,10 +36,10 @@ void check_single_precision(const Written_mesh& written, double scale) {
   const double diagonal = scale * diagonal_of(box);
   if(farthest > largest_share * diagonal)
     throw wrong_usage(
-        formatted("in single precision, which this format has, points would move by up to "
-                  "%.3g of a diagonal of %.3g: ",
+        formatted("the single precision of this format would move points by up to %.3g (the "
+                  "diagonal is %.3g): ",
                   farthest, diagonal) +
-        ".off .obj .ply .3mf .vtp .vtu .msh keep them, .ascii.stl too");
+        "use .off .obj .ply .3mf .vtp .vtu .msh or .ascii.stl");
 }
 
 double scale_to_millimeters(const Written_mesh& written) {

@@ -36,9 +36,8 @@ void check_stay_apart(const Written_mesh& written) {
   if(rounded_places < places)
     throw wrong_usage(
         std::to_string(places - rounded_places) +
-        " vertices would fall together in binary STL, whose numbers are of single "
-        "precision: .ascii.stl, or a format with vertices (.ply .obj .3mf), keeps them "
-        "apart");
+        " vertices would coincide in the single precision of binary STL: use .ascii.stl, "
+        "or a format with vertices (.ply .obj .3mf)");
 }
 
 Place normal_of(const std::array<std::array<double, 3>, 3>& corners) {

@@ -180,9 +180,11 @@ TEST_F(Loops_json, says_where_a_document_is_malformed) {
   EXPECT_THROW(read_loops_json(folder_.write("c.json", "{ \"format\": ")), Failure);
   expect_unreadable("the document is not an object", [](json& d) { d = json::array(); });
   expect_unreadable("has no member 'format'", [](json& d) { d.erase("format"); });
-  expect_unreadable("not of the format htloops/1", [](json& d) { d["format"] = "htloops/2"; });
+  expect_unreadable("does not have the format htloops/1",
+                    [](json& d) { d["format"] = "htloops/2"; });
   expect_unreadable("mesh has no member 'faces'", [](json& d) { d["mesh"].erase("faces"); });
-  expect_unreadable("vertices is not a count", [](json& d) { d["mesh"]["vertices"] = -1; });
+  expect_unreadable("vertices is not a non-negative integer",
+                    [](json& d) { d["mesh"]["vertices"] = -1; });
   expect_unreadable("pairs is not an array", [](json& d) { d["pairs"] = 1; });
   expect_unreadable("pair 1 has no member 'tunnel'",
                     [](json& d) { d["pairs"][1].erase("tunnel"); });
@@ -194,13 +196,13 @@ TEST_F(Loops_json, says_where_a_document_is_malformed) {
                     });
   expect_unreadable("position 0 has a vertex index that is not an integer",
                     [](json& d) { d["pairs"][0]["tunnel"]["locations"][0][1] = 0.5; });
-  expect_unreadable("points, position 1 has something that is not a number",
+  expect_unreadable("points, position 1 has an element that is not a number",
                     [](json& d) { d["pairs"][0]["tunnel"]["points"][1][2] = "high"; });
 }
 
 TEST_F(Loops_json, says_which_place_is_not_on_the_mesh) {
   EXPECT_TRUE(problems_after([](json&) {}).empty());
-  expect_problem("a mesh of 5 vertices", [](json& d) { d["mesh"]["vertices"] = 5; });
+  expect_problem("a mesh with 5 vertices", [](json& d) { d["mesh"]["vertices"] = 5; });
   for(const json& vertex : {json(4), json(-1), json(18446744073709551615u)})
     expect_problem("pair 1, handle, position 2: vertex ",
                    [&](json& d) { d["pairs"][1]["handle"]["locations"][2][0] = vertex; });
@@ -210,7 +212,7 @@ TEST_F(Loops_json, says_which_place_is_not_on_the_mesh) {
   expect_problem("pair 0, handle, position 0: no edge joins", [](json& d) {
     d["pairs"][0]["handle"]["locations"][0] = {1, 1, 0.5};
   });
-  expect_problem("pair 0, handle, position 0: the point is not",
+  expect_problem("pair 0, handle, position 0: the point does not match",
                  [](json& d) { d["pairs"][0]["handle"]["points"][0][0] = 7; });
   expect_problem("3 locations, but 2 points",
                  [](json& d) { d["pairs"][0]["handle"]["points"].erase(2); });
@@ -227,7 +229,7 @@ TEST_F(Loops_json, says_the_worst_first_and_all_of_it) {
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_EQ(problems[0],
             "pair 1, tunnel, position 1: the ratio 1.0000000000000002 is not between 0 and 1");
-  EXPECT_NE(problems[1].find("the point is not"), std::string::npos);
+  EXPECT_NE(problems[1].find("the point does not match"), std::string::npos);
   EXPECT_NE(problems[2].find("the length is given as 7"), std::string::npos);
 }
 

@@ -103,8 +103,7 @@ TEST(Triangulation, cuts_all_faces_of_a_cube) {
   const Mended_soup mended = mend(soup_of(corners_of_cube, cube), triangulation);
   EXPECT_EQ(mended.soup.faces.size(), 12u);
   EXPECT_EQ(mended.diagonals.size(), 6u);
-  EXPECT_EQ(words(mended),
-            "6 faces of more than three vertices made triangles, the first is face 0\n");
+  EXPECT_EQ(words(mended), "6 faces with more than three vertices triangulated, first: face 0\n");
   expect_sound(mended.soup);
   EXPECT_EQ(euler_characteristic(mended.soup), 2);
 }
@@ -255,9 +254,9 @@ TEST(Repair, welds_faces_that_share_no_vertex) {
   }
   soup.points[0] = Point(-0., 0., 0.); // equal, if not the same bits
   const Mended_soup mended = mend(soup, repair);
-  EXPECT_EQ(words(mended), "8 vertices welded with others at the same place, the first is vertex 3 "
-                           "with vertex 0\n"
-                           "12 boundary edges fewer: of 12, now 0\n");
+  EXPECT_EQ(words(mended), "8 vertices welded to others at the same place, first: vertex 3 "
+                           "to vertex 0\n"
+                           "12 fewer boundary edges: 0 instead of 12\n");
   expect_sound(mended.soup);
   EXPECT_EQ(mended.soup.points.size(), 12u); // numbers stay
   EXPECT_EQ(euler_characteristic(mended.soup), 2);
@@ -328,7 +327,7 @@ TEST(Repair, drops_degenerate_and_duplicate_faces) {
   faces.push_back({1, 0, 2});
   faces.push_back({0, 1});
   const Mended_soup mended = mend(soup_of(corners_of_tetrahedron, faces), repair);
-  EXPECT_EQ(words(mended), "2 degenerate faces dropped, the first is face 1\n"
+  EXPECT_EQ(words(mended), "2 degenerate faces dropped, first: face 1\n"
                            "1 duplicate face dropped: face 5\n");
   EXPECT_EQ(faces_of(mended.soup), tetrahedron);
 }
@@ -355,7 +354,7 @@ TEST(Repair, drops_flaps_altogether) {
     add_face(soup, face);
   const Mended_soup mended = mend(soup, repair);
   EXPECT_EQ(mended.changes.size(), 1u);
-  EXPECT_NE(words(mended).find("4 faces of flaps without thickness dropped"), std::string::npos);
+  EXPECT_NE(words(mended).find("4 faces of zero-thickness flaps dropped"), std::string::npos);
   EXPECT_EQ(faces_of(mended.soup), sound);
 }
 
@@ -373,7 +372,8 @@ TEST(Repair, takes_corners_off_that_repeat_a_vertex) {
   Faces faces = cube;
   faces[1] = {4, 5, 5, 6, 7, 4};
   const Mended_soup mended = mend(soup_of(corners_of_cube, faces), both);
-  EXPECT_NE(words(mended).find("1 face relieved of corners"), std::string::npos) << words(mended);
+  EXPECT_NE(words(mended).find("1 face with repeated vertices simplified"), std::string::npos)
+      << words(mended);
   expect_sound(mended.soup);
 }
 
@@ -382,7 +382,7 @@ TEST(Repair, turns_the_fewer_faces_over) {
   for(const std::size_t f : {7, 8, 300})
     std::swap(soup.faces[f][0], soup.faces[f][1]);
   const Mended_soup mended = mend(soup, repair);
-  EXPECT_EQ(words(mended), "3 faces turned over, the first is face 7\n");
+  EXPECT_EQ(words(mended), "3 faces flipped, first: face 7\n");
   expect_sound(mended.soup);
 }
 
@@ -402,7 +402,7 @@ TEST(Repair, leaves_what_has_one_side_only) {
   ASSERT_FALSE(defects.empty());
   EXPECT_NE(defects.back().message.find("not orientable"), std::string::npos);
   EXPECT_EQ(words_on_remedy(soup_of(points, faces), defects, {}),
-            "no option mends this, as the surface is not orientable");
+            "no option fixes this: the surface is not orientable");
 }
 
 TEST(Repair, splits_a_vertex_of_two_surfaces) {
@@ -436,11 +436,10 @@ TEST(Repair, tells_what_is_different_in_the_end) {
   expect_sound(mended.soup);
   EXPECT_EQ(euler_characteristic(mended.soup), 4);
   // Twelve corners of each are four vertices in the end; of neither is one split.
-  EXPECT_EQ(
-      words(mended),
-      "16 vertices welded with others at the same place, the first is vertex 3 with vertex 0\n"
-      "1 edge with more than two faces split: edge 0-2 with 4 faces\n"
-      "24 boundary edges fewer: of 24, now 0\n");
+  EXPECT_EQ(words(mended),
+            "16 vertices welded to others at the same place, first: vertex 3 to vertex 0\n"
+            "1 edge with more than two faces split: edge 0-2 with 4 faces\n"
+            "24 fewer boundary edges: 0 instead of 24\n");
 }
 
 TEST(Repair, counts_vertices_that_were_shared_already_once) {
@@ -449,8 +448,8 @@ TEST(Repair, counts_vertices_that_were_shared_already_once) {
   const Mended_soup mended = mend(soup, repair);
   expect_sound(mended.soup);
   EXPECT_EQ(words(mended),
-            "7 vertices welded with others at the same place, the first is vertex 4 with vertex 2\n"
-            "12 boundary edges fewer: of 12, now 0\n");
+            "7 vertices welded to others at the same place, first: vertex 4 to vertex 2\n"
+            "12 fewer boundary edges: 0 instead of 12\n");
 }
 
 TEST(Repair, drops_pillows) {
@@ -465,8 +464,8 @@ TEST(Repair, drops_pillows) {
   const Mended_soup mended = mend(soup, repair);
   EXPECT_EQ(faces_of(mended.soup), sound);
   EXPECT_EQ(mended.face_in_file.size(), sound.size());
-  EXPECT_EQ(words(mended), "2 faces of pillows dropped, two that are neighbors all around, the "
-                           "first is face " +
+  EXPECT_EQ(words(mended), "2 faces of pillows dropped (two faces that share all edges), "
+                           "first: face " +
                                std::to_string(sound.size()) + "\n");
 }
 
@@ -509,14 +508,13 @@ TEST(Repair, drops_a_component_that_is_not_orientable) {
   expect_sound(mended.soup);
   ASSERT_EQ(mended.changes.size(), 2u) << words(mended); // and the boundary that it had
   EXPECT_EQ(mended.changes[0].count, 18u);
-  EXPECT_EQ(
-      mended.changes[0].words.find("faces dropped, component 1 of 2, as it is not orientable; "
-                                   "the first is face " +
-                                   std::to_string(sound.size()) + ", the box is 19."),
-      0u)
+  EXPECT_EQ(mended.changes[0].words.find("faces dropped: component 1 of 2 is not orientable, "
+                                         "first: face " +
+                                         std::to_string(sound.size()) + ", bounding box: 19."),
+            0u)
       << words(mended);
   const auto defects = diagnose(soup);
-  EXPECT_EQ(words_on_remedy(soup, defects, {}).find("--repair mends this:\n  18 faces dropped"),
+  EXPECT_EQ(words_on_remedy(soup, defects, {}).find("--repair fixes this:\n  18 faces dropped"),
             0u);
 }
 
@@ -548,10 +546,9 @@ TEST(Repair, names_a_few_of_many_components_that_are_not_orientable) {
   }
   const Mended_soup mended = mend(soup, repair);
   ASSERT_EQ(mended.changes.size(), 10u) << words(mended);
-  EXPECT_EQ(mended.changes[7].words.find("faces dropped, component 8 of 12"), 0u);
+  EXPECT_EQ(mended.changes[7].words.find("faces dropped: component 8 of 12"), 0u);
   EXPECT_EQ(mended.changes[8].count, 54u);
-  EXPECT_EQ(mended.changes[8].words,
-            "faces dropped of 3 further components that are not orientable");
+  EXPECT_EQ(mended.changes[8].words, "faces dropped in 3 more components that are not orientable");
 }
 
 Remedies steps(std::initializer_list<Repair_step> steps) {
@@ -573,7 +570,7 @@ TEST(Repair, does_the_steps_that_are_asked_for) {
   ASSERT_EQ(welded.changes.size(), 2u) << words(welded);
   EXPECT_EQ(welded.changes[0].kind, Change_kind::VERTICES_WELDED);
   const Mended_soup oriented = mend(soup, steps({Repair_step::ORIENT}));
-  EXPECT_EQ(words(oriented), "1 face turned over: face 7\n");
+  EXPECT_EQ(words(oriented), "1 face flipped: face 7\n");
   EXPECT_EQ(oriented.soup.faces[100][0], soup.faces[100][0]);
   // Without the step that turns them, faces are as they were, and what is split is so all the same.
   for(const Repair_step step : {Repair_step::SPLIT, Repair_step::PILLOWS, Repair_step::DUPLICATES,
@@ -660,7 +657,7 @@ TEST(Repair, makes_manifolds_of_random_triangles) {
     const Mended_soup again = mend(mended.soup, repair);
     if(!again.soup.faces.empty())
       expect_manifold(again.soup);
-    number_with_divisions += words(mended).find("divided in the middle") != std::string::npos;
+    number_with_divisions += words(mended).find("split at ") != std::string::npos;
   }
   EXPECT_GT(number_with_divisions, 10);
 }
@@ -693,7 +690,7 @@ TEST(Repair, does_nothing_about_points_that_are_nowhere) {
   soup.points[3] = Point(0., std::numeric_limits<double>::quiet_NaN(), 0.);
   const Mended_soup mended = mend(soup, both);
   EXPECT_TRUE(mended.changes.empty());
-  EXPECT_EQ(words_on_remedy(soup, diagnose(soup), {}), "no option mends this");
+  EXPECT_EQ(words_on_remedy(soup, diagnose(soup), {}), "no option fixes this");
 }
 
 // ---- damage that is undone
@@ -818,14 +815,14 @@ TEST(Remedy, is_the_one_that_helps) {
     const std::vector<Defect> defects = diagnose(mend(soup, given).soup);
     return defects.empty() ? "nothing is wrong" : words_on_remedy(soup, defects, given);
   };
-  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate makes them triangles");
-  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair), "--triangulate makes them triangles");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube)), "--triangulate splits them into triangles");
+  EXPECT_EQ(words_on(soup_of(corners_of_cube, cube), repair),
+            "--triangulate splits them into triangles");
   Faces faces = cube;
   faces.push_back({0, 0, 1});
-  const char for_both[] =
-      "--triangulate and --repair together mend this:\n"
-      "  1 degenerate face dropped: face 6\n"
-      "  6 faces of more than three vertices made triangles, the first is face 0";
+  const char for_both[] = "--triangulate and --repair together fix this:\n"
+                          "  1 degenerate face dropped: face 6\n"
+                          "  6 faces with more than three vertices triangulated, first: face 0";
   EXPECT_EQ(words_on(soup_of(corners_of_cube, faces)), for_both);
   EXPECT_EQ(words_on(soup_of(corners_of_cube, faces), repair), for_both);
   faces = tetrahedron;
@@ -834,17 +831,16 @@ TEST(Remedy, is_the_one_that_helps) {
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces), triangulation), "--repair drops it");
   faces.back() = {0, 1, 2};
   EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, faces)),
-            "--repair mends this:\n  1 duplicate face dropped: face 4");
+            "--repair fixes this:\n  1 duplicate face dropped: face 4");
   // Not what was found, if something else is done about it: here a vertex with two fans.
   const std::vector<Point> ring = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
                                    {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
-  EXPECT_EQ(
-      words_on(soup_of(ring, {{0, 2, 1}, {0, 1, 3}, {4, 5, 3}, {2, 0, 3}})),
-      "--repair mends this:\n"
-      "  2 vertices welded with others at the same place, the first is vertex 4 with vertex 1\n"
-      "  6 boundary edges fewer: of 6, now 0");
-  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {})), "no option mends this");
-  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {}), both), "no other option mends this");
+  EXPECT_EQ(words_on(soup_of(ring, {{0, 2, 1}, {0, 1, 3}, {4, 5, 3}, {2, 0, 3}})),
+            "--repair fixes this:\n"
+            "  2 vertices welded to others at the same place, first: vertex 4 to vertex 1\n"
+            "  6 fewer boundary edges: 0 instead of 6");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {})), "no option fixes this");
+  EXPECT_EQ(words_on(soup_of(corners_of_tetrahedron, {}), both), "no other option fixes this");
 }
 
 // ---- effort

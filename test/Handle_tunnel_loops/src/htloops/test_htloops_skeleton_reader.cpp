@@ -127,46 +127,46 @@ void expect_problem(const std::string& name, const std::string& content, const s
 }
 
 TEST(Skeleton_reader, SaysWhatIsWrong) {
-  expect_problem("a.obj", "v 0 0 0\nv 1 0 0\nl 1 3\n", "'3' is none of the 2 points so far");
-  expect_problem("a.obj", "v 0 0 0\nv 1 0 0\n", "there are no lines in it");
+  expect_problem("a.obj", "v 0 0 0\nv 1 0 0\nl 1 3\n", "'3' is not one of the 2 points so far");
+  expect_problem("a.obj", "v 0 0 0\nv 1 0 0\n", "it has no lines");
   expect_problem("a.obj", "v 0 0\n", "a point does not have three coordinates");
   expect_problem("a.obj", "v 0 0 inf\nl 1\n", "point 1 is not finite");
-  expect_problem("a.swc", "1 0 0 0 0 1 7\n", "there is no point 7, which is to be a parent");
-  expect_problem("a.swc", "1 0 0 0 0 1 -1\n1 0 0 0 0 1 -1\n", "is there twice");
+  expect_problem("a.swc", "1 0 0 0 0 1 7\n", "the parent 7 of a point does not exist");
+  expect_problem("a.swc", "1 0 0 0 0 1 -1\n1 0 0 0 0 1 -1\n", "appears twice");
   expect_problem("a.polylines.txt", "2 0 0 0 1 0\n", "a point does not have three coordinates");
-  expect_problem("a.vtp", "<VTKFile><PolyData>", "it is not XML");
+  expect_problem("a.vtp", "<VTKFile><PolyData>", "it is not valid XML");
   expect_problem("a.vtp", "<a/>", "it is not a VTK XML file");
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"binary\">AAAA</DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
-                 "an array has fewer bytes than it says");
+                 "an array has fewer bytes than declared");
   expect_problem("a.vtp", "<VTKFile><UnstructuredGrid/></VTKFile>", "it is not VTK PolyData");
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray format=\"appended\"></DataArray>"
                  "</Points></Piece></PolyData></VTKFile>",
-                 "an array that starts beyond the end of the file");
+                 "an array starts beyond the end of the file");
   // What follows the underscore may be any bytes.
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece/></PolyData><AppendedData encoding=\"raw\">_<&"
                  "</AppendedData></VTKFile>",
-                 "there are no lines in it");
+                 "it has no lines");
   expect_problem("a.vtp",
                  "<VTKFile compressor=\"vtkLZ4DataCompressor\"><PolyData><Piece><Points><DataArray "
                  "format=\"binary\">AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",
-                 "its arrays are compressed with 'vtkLZ4DataCompressor'");
+                 "compression with 'vtkLZ4DataCompressor' is not supported");
   expect_problem("a.vtp",
                  "<VTKFile><PolyData><Piece><Points><DataArray type=\"String\" format=\"binary\">"
                  "AAAAAA==</DataArray></Points></Piece></PolyData></VTKFile>",
                  "numbers of the type 'String'");
   expect_problem("a.graphml", "<graphml><graph><node id=\"n0\"/></graph></graphml>",
-                 "the node n0 has no x");
+                 "node n0 has no x");
   expect_problem("a.graphml",
                  "<graphml><graph><edge source=\"n0\" target=\"n1\"/></graph></graphml>",
-                 "an edge leads to the node n0, which does not exist");
+                 "an edge refers to node n0, which does not exist");
   expect_problem("a.json", R"({"format": "htloops-skeleton/1"})", "no member 'nodes'");
   expect_problem("a.json", skeleton_json(2, "[1, 0, 0]"), "arcs, arc 0, target is not a node");
   expect_problem("a.json", skeleton_json(1, "[1, 0, 0]"),
-                 "arc 0 has a polyline that does not lead to its target");
+                 "arc 0 has a polyline that does not reach its target");
   expect_problem("a.json", skeleton_json(0, "[1, 0]"), "is not an array of three numbers");
 }
 

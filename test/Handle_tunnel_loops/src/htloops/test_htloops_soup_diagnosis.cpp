@@ -91,7 +91,7 @@ TEST(Soup_diagnosis, names_what_is_no_triangle) {
                  {{Mesh_defect::NOT_TRIANGULATED, 1, "face 0 with 4 vertices"}});
   expect_defects({{0, 1, 2}, {0, 1, 2, 3}, {0, 1, 2, 3, 4}}, 5,
                  {{Mesh_defect::NOT_TRIANGULATED, 2,
-                   "2 faces are not triangles, the first is face 1 with 4 vertices"}});
+                   "2 faces are not triangles, first: face 1 with 4 vertices"}});
   expect_defects({{0, 1}, {0, 1, 2}}, 4,
                  {{Mesh_defect::NOT_TRIANGULATED, 1, "face 0 with 2 vertices"}});
   expect_defects(with(tetrahedron, {2, 0, 2}), 4, {{Mesh_defect::DEGENERATE_FACE, 1, "face 4"}});
@@ -127,7 +127,7 @@ TEST(Soup_diagnosis, recognizes_faces_that_share_no_vertex) {
   EXPECT_EQ(defects[0].kind, Mesh_defect::BOUNDARY_EDGE);
   EXPECT_EQ(defects[0].message,
             "12 boundary edges, in 4 loops of three edges: no two faces share a vertex (merging "
-            "equal points would leave 4 of 12 vertices), the first is edge 0-1 of face 0");
+            "equal points would leave 4 of 12 vertices), first: edge 0-1 of face 0");
 }
 
 // Such faces are surfaces of their own, if no edge lies on one of another face.
@@ -182,7 +182,7 @@ TEST(Soup_diagnosis, names_pinched_vertices) {
 TEST(Soup_diagnosis, tells_a_flipped_face_from_a_surface_without_orientation) {
   Faces flipped = grid_surface(5);
   std::swap(flipped[7][0], flipped[7][1]);
-  expect_defects(flipped, 25, {{Mesh_defect::INCONSISTENT_ORIENTATION, 3, "would mend it"}});
+  expect_defects(flipped, 25, {{Mesh_defect::INCONSISTENT_ORIENTATION, 3, "would fix it"}});
   expect_defects(grid_surface(6, true), 36,
                  {{Mesh_defect::INCONSISTENT_ORIENTATION, 6, "not orientable"}});
 }

@@ -161,8 +161,8 @@ TEST_F(Soup_reader, reads_lines_that_end_with_carriage_returns) {
   expect_tetrahedron("cr.stl", with_cr(text_stl_file()));
   expect_failure("a.off", with_cr(replaced(off_file(), "3 1 2 3", "3 1 2 3 x")),
                  ":9: 'x' is not a number");
-  expect_failure("a.obj", with_cr(continued + "f 1 2 x\n"), ":11: 'x' is not a corner");
-  expect_failure("a.obj", with_crlf(obj_file() + "f 1 2 x\n"), ":9: 'x' is not a corner");
+  expect_failure("a.obj", with_cr(continued + "f 1 2 x\n"), ":11: 'x' is not a face corner");
+  expect_failure("a.obj", with_crlf(obj_file() + "f 1 2 x\n"), ":9: 'x' is not a face corner");
 }
 
 TEST_F(Soup_reader, says_that_a_file_is_utf_16) {
@@ -205,7 +205,7 @@ TEST_F(Soup_reader, reads_off_in_free_form) {
   std::replace(on_one_line.begin(), on_one_line.end(), '\n', ' ');
   expect_tetrahedron("one_line.off", on_one_line);
   expect_tetrahedron("wrapped.off", replaced(replaced(off_file(), "6\n", "6 "), "1 0 0", "1\n0 0"));
-  expect_failure("a.off", "C" + on_one_line, "each has a line of its own");
+  expect_failure("a.off", "C" + on_one_line, "need a line each");
 }
 
 TEST_F(Soup_reader, reads_homogeneous_off) {
@@ -213,7 +213,7 @@ TEST_F(Soup_reader, reads_homogeneous_off) {
       "4OFF\n4 4 6\n0 0 0 1\n2 0 0 2\n0 1.5 0 1\n0 0 -0.4 2\n" + std::string(faces);
   expect_tetrahedron("homogeneous.off", good);
   expect_failure("a.off", replaced(good, "2 0 0 2", "2 0 0"), ":4: vertex 1 does not have four");
-  expect_failure("a.off", "nOFF\n3\n0 0 0\n", "of the kind nOFF is not supported");
+  expect_failure("a.off", "nOFF\n3\n0 0 0\n", "of kind nOFF are not supported");
 }
 
 TEST_F(Soup_reader, reads_all_forms_of_ply) {
@@ -316,7 +316,7 @@ TEST_F(Soup_reader, reads_obj_with_continued_lines) {
   const std::string file = replaced(obj_file(), "f 1 2 4", "# not continued \\\nf 1 \\\n2\\\n4");
   expect_tetrahedron("continued.obj", file);
   expect_tetrahedron("crlf.obj", with_crlf(file));
-  expect_failure("a.obj", file + "f 1 2 x\n", ":12: 'x' is not a corner");
+  expect_failure("a.obj", file + "f 1 2 x\n", ":12: 'x' is not a face corner");
 }
 
 TEST_F(Soup_reader, keeps_all_corners_of_polygons) {
@@ -341,20 +341,22 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
   const std::string good = obj_file();
   expect_failure("a.obj", "", "neither vertices nor faces");
   expect_failure("a.obj", "\033[2J" + std::string(50, 'x'),
-                 ":1: OBJ has no element '?[2J" + std::string(36, 'x') + "...'");
-  expect_failure("a.obj", good + "wrong\n", ":9: OBJ has no element 'wrong'");
-  expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0"), ":2: a vertex without three");
+                 ":1: unknown OBJ keyword '?[2J" + std::string(36, 'x') + "...'");
+  expect_failure("a.obj", good + "wrong\n", ":9: unknown OBJ keyword 'wrong'");
+  expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0"), ":2: a vertex does not have three");
   expect_failure("a.obj", replaced(good, "v 1 0 0", "v 1 0 0 red"), ":2: 'red' is not a number");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2.9 4"), ":6: '2.9' is not a corner");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 4 x"), ":6: 'x' is not a corner");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/x 2 4"), ":6: '1/x' is not a corner");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/1/1/1 2 4"), "is not a corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2.9 4"), ":6: '2.9' is not a face corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 4 x"), ":6: 'x' is not a face corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/x 2 4"), ":6: '1/x' is not a face corner");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1/1/1/1 2 4"), "is not a face corner");
   expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 9"),
-                 ":6: face 1 names vertex 9 of 4 (they count from 1)");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 0"), "face 1 names vertex 0 of 4");
-  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 -5"), "face 1 names vertex -5 of 4");
+                 ":6: face 1 uses vertex 9, but there are only 4 (numbered from 1)");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 0"),
+                 "face 1 uses vertex 0, but there are only 4");
+  expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 -5"),
+                 "face 1 uses vertex -5, but there are only 4");
   expect_failure("a.obj", replaced(good, "f 1 2 4", "f 1 2 99999999999"),
-                 "names vertex 99999999999");
+                 "uses vertex 99999999999");
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
@@ -373,13 +375,13 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", "OFF\n4 4 6\n" + std::string(points) + "3 0 2\n",
                  ":7: face 0 ends after 2 of 3 vertices");
   expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 2 4"),
-                 ":9: face 2 names vertex 4 of 4");
-  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 -2 3"), "face 2 names vertex -2");
+                 ":9: face 2 uses vertex 4, but there are only 4");
+  expect_failure("a.off", replaced(off_file(), "3 1 2 3", "3 1 -2 3"), "face 2 uses vertex -2");
   expect_failure("a.off", off_file() + "\n# more\n3 0 1 2\n",
-                 ":13: '3' follows the last of 4 faces");
+                 ":13: unexpected '3' after the last of 4 faces");
   std::string in_free_form = replaced(off_file(), "6\n", "6 ");
   in_free_form.back() = ' ';
-  expect_failure("a.off", in_free_form + "more", ":9: 'more' follows the last of 4 faces");
+  expect_failure("a.off", in_free_form + "more", ":9: unexpected 'more' after the last of 4 faces");
   for(const char* number : {"0x10", "-0X1p3"})
     expect_failure("a.off", replaced(off_file(), "1 0 0", std::string("1 0 ") + number),
                    ":4: vertex 1 does not have three coordinates");
@@ -399,29 +401,29 @@ TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
   const std::string good = ply_header("ascii") + points + faces;
   expect_failure("a.ply", "", "ply");
   expect_failure("a.ply", good.substr(0, 60), "has no end");
-  expect_failure("a.ply", replaced(good, "ascii", "asci"), ":2: the unknown format 'asci'");
-  expect_failure("a.ply", replaced(good, "1.0", "2.0"), ":2: the unknown version '2.0' of PLY");
-  expect_failure("a.ply", good + "\nmore\n", ":20: 'more' follows the last of the elements");
+  expect_failure("a.ply", replaced(good, "ascii", "asci"), ":2: unknown PLY format 'asci'");
+  expect_failure("a.ply", replaced(good, "1.0", "2.0"), ":2: unknown PLY version '2.0'");
+  expect_failure("a.ply", good + "\nmore\n", ":20: unexpected 'more' after the last element");
   expect_failure("a.ply", replaced(good, "double y", "double why"), "no coordinate y");
-  expect_failure("a.ply", replaced(good, "double y", "real y"),
-                 ":6: a property of the unknown type 'real'");
-  expect_failure("a.ply", replaced(good, "uchar int", "float int"),
-                 ":9: a list whose length is of");
+  expect_failure("a.ply", replaced(good, "double y", "real y"), ":6: unknown property type 'real'");
+  expect_failure("a.ply", replaced(good, "uchar int", "float int"), ":9: the length of a list has");
   expect_failure("a.ply", replaced(good, "uchar int", "uchar float"), "of an integer type");
   expect_failure("a.ply", replaced(good, "vertex_indices", "indices"), "no list vertex_indices");
   expect_failure("a.ply", replaced(good, "element face", "element none 9\nelement face"),
-                 "none without any property");
+                 "none without properties");
   expect_failure("a.ply", good.substr(0, good.size() - 10),
                  ":17: expected vertex_indices of face 2 of 4; the file ends here");
   expect_failure("a.ply", replaced(good, "3 0 2 1", "999999999 0 2 1"),
                  ":15: expected vertex_indices of face 0 of 4");
   expect_failure("a.ply", replaced(good, "3 0 2 1", "-3 0 2 1"), "of face 0 of 4 is negative");
   expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 x"), ":15: expected vertex_indices");
-  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 1 7"), ":15: face 0 of 4 has more on");
-  expect_failure("a.ply", replaced(good, "1 0 0", "1 0 0 x"), ":12: vertex 1 of 4 has more on");
+  expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 1 7"),
+                 ":15: face 0 of 4 has more values on");
+  expect_failure("a.ply", replaced(good, "1 0 0", "1 0 0 x"),
+                 ":12: vertex 1 of 4 has more values on");
   expect_failure("a.ply", replaced(good, "1 0 0", "1 0"), ":12: expected z of vertex 1 of 4");
   expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 -1"),
-                 ":15: face 0 names vertex -1 of 4");
+                 ":15: face 0 uses vertex -1, but there are only 4");
   expect_failure("a.ply", replaced(good, "3 0 2 1", "3 0 2 9223372036854775807"), ":15: expected");
   const std::string binary = binary_ply_file(false);
   const std::string number_of_byte = std::to_string(binary.size() - 21);
@@ -433,7 +435,7 @@ TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
 TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
   const std::string text = text_stl_file(), binary = binary_stl_file(-0.2f);
   expect_failure("a.stl", "", "begins with the word solid");
-  expect_failure("a.stl", replaced(text, "solid", "polid"), ":1: an STL file in text form begins");
+  expect_failure("a.stl", replaced(text, "solid", "polid"), ":1: a text STL file begins");
   expect_failure("a.stl", "solid\nfacet", ":2: face 0: expected outer; the file ends here");
   expect_failure("a.stl", replaced(text, "1 0 0", "1 0 x"),
                  ":6: face 0: expected three coordinates");
@@ -441,18 +443,17 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
                  ":6: face 0: expected endloop");
   expect_failure("a.stl", replaced(text, "vertex 1 0 0\n", ""), ":6: face 0: expected vertex");
   expect_failure("a.stl", replaced(text, "endfacet", "facet"), ":8: face 0: expected endfacet");
-  expect_failure("a.stl", replaced(text, "endfacet\n", "endfacet\nx"),
-                 ":9: 'xfacet' is out of place");
+  expect_failure("a.stl", replaced(text, "endfacet\n", "endfacet\nx"), ":9: unexpected 'xfacet'");
   expect_failure("a.stl", replaced(text, "endsolid name\n", ""), "expected endsolid after 4 faces");
-  expect_failure("a.stl", text + "facet", "'facet' is out of place");
+  expect_failure("a.stl", text + "facet", "unexpected 'facet'");
   expect_failure("a.stl", replaced(text, "endsolid name\n", "endsolid name facet normal 0 0 0\n"),
-                 ":30: 'facet' is out of place");
+                 ":30: unexpected 'facet'");
   expect_failure("a.stl", binary.substr(0, 83), "too short");
   expect_failure("a.stl", binary.substr(0, 200), "ends after 2 of 4 faces");
   expect_failure("a.stl", binary + std::string(49 + 50, 'x'),
-                 "announces 4 faces, but has room for 5");
+                 "declares 4 faces, but the file holds 5");
   for(const char count : {'\0', '\1'})
-    expect_failure("a.stl", std::string(binary).replace(80, 1, 1, count), ", but has room for 4");
+    expect_failure("a.stl", std::string(binary).replace(80, 1, 1, count), ", but the file holds 4");
 }
 
 // They are refused later, for nothing but that: they are not where others are.

@@ -141,21 +141,21 @@ TEST_F(Vertex_properties_test, WhatIsNotKeptIsNamed) {
   EXPECT_TRUE(unread_data(ply, read_vertex_properties(ply)).empty());
 
   const std::string off = folder_.write("mesh.off", off_file("COFF", " 0 9"));
-  EXPECT_EQ(unread_data(off, {}), Words{"vertex colours"});
+  EXPECT_EQ(unread_data(off, {}), Words{"vertex colors"});
   EXPECT_TRUE(unread_data(off, read_vertex_properties(off)).empty());
   const std::string textured = folder_.write("textured.off", off_file("STNOFF", " 0 9 0 1"));
   EXPECT_EQ(unread_data(textured, {}), (Words{"texture coordinates", "normals"}));
   const std::string plain = folder_.write("plain.off", "OFF\n1 1 0\n0 0 0\n3 0 0 0\n");
   EXPECT_TRUE(unread_data(plain, {}).empty());
   const std::string faces_only = folder_.write("faces.off", "OFF\n1 1 0\n0 0 0\n3 0 0 0 255 0 0\n");
-  EXPECT_EQ(unread_data(faces_only, {}), Words{"face colours"});
+  EXPECT_EQ(unread_data(faces_only, {}), Words{"face colors"});
 
   const std::string obj =
       folder_.write("mesh.obj", "mtllib a.mtl\nv 0 0 0 1 0 0\nvt 0 0\nvt 0 1\nvn 0 0 1\nf 1 1 1\n");
   EXPECT_EQ(unread_data(obj, {}),
-            (Words{"materials", "vertex colours", "texture coordinates", "normals"}));
+            (Words{"materials", "vertex colors", "texture coordinates", "normals"}));
   const std::string lines = folder_.write("lines.obj", "v 0 0 0 \\\n1 0 0\nl 1 1\np 1\n");
-  EXPECT_EQ(unread_data(lines, {}), (Words{"vertex colours", "lines", "points"}));
+  EXPECT_EQ(unread_data(lines, {}), (Words{"vertex colors", "lines", "points"}));
 }
 
 } // namespace test_htloops_vertex_properties
