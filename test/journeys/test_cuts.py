@@ -49,4 +49,4 @@ def test_the_scene_is_kept_if_that_is_asked_for_and_a_missing_mesh_is_said(tool,
     assert re.search("torus: [0-9]+ edges are seams", said) and (tool.folder / "out.blend").exists()
     (tool.folder / "torus.ply").rename(tool.folder / "gone.ply")
     said = judges.program_in_blender(program, folder=tool.folder, code=1)
-    assert re.search("no object is the mesh of ../torus.ply, and .*torus.ply is not there: import it first", said)
+    assert re.search("no object has the mesh of ../torus.ply, and .*torus.ply does not exist: import it first", said)

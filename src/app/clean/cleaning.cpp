@@ -160,7 +160,7 @@ private:
     for(Clean_record& record : result_.records)
       if(record.step == Clean_step::ORIENT && number > 0) {
         record.count += number;
-        record.done = {"turned over " + counted(record.count, "part that was", "parts that were") +
+        record.done = {"flipped " + counted(record.count, "part that was", "parts that were") +
                        " inside out"};
       }
   }
@@ -169,8 +169,9 @@ private:
     record.count = holes.closed;
     open_holes_ = holes.open;
     if(holes.closed > 0)
-      record.done = {"closed " + counted(holes.closed, "hole", "holes") + ", " +
-                     formatted("%s%.4g around", holes.closed > 1 ? "up to " : "", holes.longest)};
+      record.done = {
+          "closed " + counted(holes.closed, "hole", "holes") + ", " +
+          formatted("perimeter %s%.4g", holes.closed > 1 ? "up to " : "", holes.longest)};
   }
 
   // ---- what needs loops

@@ -120,11 +120,11 @@ private:
         drop(crumbs, Face_fate::FLOATER, result_.floaters);
         result_.floaters.done.push_back("dropped " + words);
       } else
-        result_.floaters.left.push_back(words + ": too much for crumbs");
+        result_.floaters.left.push_back(words + ": too much to drop");
     }
     if(meeting > 0)
       result_.floaters.left.push_back(
-          counted(meeting, "small part that meets", "small parts that meet") + " others");
+          counted(meeting, "small part that touches", "small parts that touch") + " others");
   }
 
   void drop_scraps() {
@@ -173,7 +173,7 @@ private:
     if(in_doubt > 0)
       result_.shells.left = {
           counted(in_doubt, "part", "parts") +
-          " inside another one, where both had a boundary: perhaps one wall without its rim"};
+          " inside another one, both with a boundary: perhaps one wall without its rim"};
   }
 
   const std::vector<Part>& parts_;

@@ -32,9 +32,9 @@ std::string words_of_channels(const Removal_report& report) {
     for(const Removed_handle& channel : *some)
       longest = (std::max)(longest, channel.length);
   const std::size_t number = number_of_channels(report), walls = report.removed_necks.size();
-  return counted(number, "channel", "channels") + ", " +
-         formatted("%s%.4g around: ", number > 1 ? "up to " : "", longest) +
-         counted(walls, "inner wall comes", "inner walls come") + " off";
+  return counted(number, "channel", "channels") +
+         formatted(" (perimeter %s%.4g), separating ", number > 1 ? "up to " : "", longest) +
+         counted(walls, "inner wall", "inner walls");
 }
 
 Removal_answer remove_channels(const Mesh& mesh,
@@ -78,7 +78,7 @@ std::vector<std::size_t> pairs_of_noise(
     if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
       numbers.push_back(i);
     else if(!noise)
-      record.left.push_back("a handle is not measured: " + measures[i].why);
+      record.left.push_back("a handle was not measured: " + measures[i].why);
   return numbers;
 }
 
@@ -90,7 +90,8 @@ std::string words_of_left(const Mesh& mesh, const Pairs& pairs) {
   });
   return counted(pairs.size(), "handle", "handles") + ", " +
          (number == 0 ? "none of them" : std::to_string(number) + " of them") +
-         " with a loop shorter than 3% of the diagonal: --noise-below or --genus removes some";
+         " with a loop shorter than 3% of the diagonal: use --noise-below or --genus to remove "
+         "some";
 }
 
 } // namespace
@@ -113,8 +114,9 @@ Handle_step close_channels(const Mesh& mesh,
     step.record.left = {words};
   if(const std::size_t refused = answer.report.refused.size() + answer.report.refused_necks.size();
      refused > 0)
-    step.record.left.push_back(counted(refused, "short hole", "short holes") +
-                               " cannot be filled: nothing tells whether an inner wall is behind");
+    step.record.left.push_back(
+        counted(refused, "short hole", "short holes") +
+        " cannot be filled: it is undecided whether they lead to an inner wall");
   return step;
 }
 
@@ -141,7 +143,7 @@ Handle_step remove_small_handles(const Mesh& mesh,
                         std::to_string(answer.report.genus_before) + " -> " +
                         std::to_string(answer.report.genus_after)};
   for(const Refused_handle& refused : answer.report.refused)
-    step.record.left.push_back(formatted("a handle %.4g around: ", refused.length) +
+    step.record.left.push_back(formatted("a handle with a loop of length %.4g: ", refused.length) +
                                refused.reason);
   if(step.record.count > 0)
     step.answer = std::move(answer);

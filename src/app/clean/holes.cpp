@@ -128,9 +128,9 @@ std::string words_of(const Changeable_mesh& mesh, Border border, bool has_crosse
   const auto edges = CGAL::halfedges_around_face(border, mesh);
   return "a boundary curve of " +
          counted(std::size_t(std::distance(edges.begin(), edges.end())), "edge", "edges") +
-         formatted(", %.4g around, at (%.4g, %.4g, %.4g): ", PMP::face_border_length(border, mesh),
-                   p.x(), p.y(), p.z()) +
-         (has_crossed ? "its cap would cross the surface" : "no cap was found for it");
+         formatted(", perimeter %.4g, at (%.4g, %.4g, %.4g): ",
+                   PMP::face_border_length(border, mesh), p.x(), p.y(), p.z()) +
+         (has_crossed ? "its cap would cross the surface" : "no cap was found");
 }
 
 } // namespace

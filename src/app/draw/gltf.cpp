@@ -267,9 +267,9 @@ void export_gltf(const std::string& file,
   const double diagonal = diagonal_of(box);
   constexpr double least = 1e-25, most = 1e25;
   if(!surface.points.empty() && !(diagonal > least && diagonal < most))
-    throw wrong_usage("--gltf " + file +
-                      ": the numbers of glTF are of single precision, in which the " +
-                      "surface is too " + (diagonal <= least ? "small" : "large"));
+    throw wrong_usage("--gltf " + file + ": the surface is too " +
+                      (diagonal <= least ? "small" : "large") +
+                      " for glTF, which has single precision");
   Gltf gltf(box);
   add_surface(gltf, surface, diagonal);
   constexpr double relative_radius = 0.003;

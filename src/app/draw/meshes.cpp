@@ -170,7 +170,7 @@ void check_opened_mesh_format(const std::string& file) {
   check_mesh_format(file);
   if(boost::algorithm::iends_with(file, ".stl"))
     throw wrong_usage("cannot write " + file +
-                      ": STL knows points only, the cut would be closed again");
+                      ": STL stores only coordinates, so the cut would close again");
 }
 
 Opened_mesh open_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {

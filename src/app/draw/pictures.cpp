@@ -112,8 +112,7 @@ std::size_t row_of(std::size_t pair, const htl_scene::Scene& scene) {
   const std::vector<std::size_t>& numbers = scene.table.numbers;
   const auto row = std::find(numbers.begin(), numbers.end(), pair);
   if(row == numbers.end())
-    throw wrong_usage("--closeup " + std::to_string(pair) +
-                      ": this pair is not among the listed ones");
+    throw wrong_usage("--closeup " + std::to_string(pair) + ": this pair is not listed");
   return static_cast<std::size_t>(row - numbers.begin());
 }
 

@@ -103,9 +103,9 @@ void add_balls(htl_scene::Scene& scene, const Measures& measures, const Pair_lis
   if(!has_measures(listing))
     return;
   const std::size_t first = scene.groups.size();
-  scene.groups.insert(scene.groups.end(), {{"balls in the material", {120, 70, 20}},
+  scene.groups.insert(scene.groups.end(), {{"balls in the solid", {120, 70, 20}},
                                            {"balls through holes", {20, 120, 90}},
-                                           {"their ways", {120, 120, 130}, 0.6}});
+                                           {"paths of balls", {120, 120, 130}, 0.6}});
   for(std::size_t group = first; group < scene.groups.size(); ++group)
     scene.groups[group].is_in_pictures = false; // in which they do not move
   for(std::size_t row = 0; row < listing.size(); ++row) {
@@ -160,13 +160,13 @@ void add_pairs(htl_scene::Scene& scene,
 
 std::string why_no_rows(const Answer& answer) {
   if(answer.throats.are_wanted)
-    return "There are no throats: the surface is nowhere narrower than around.";
+    return "There are no throats: the surface has no narrow places.";
   if(!answer.pairs.empty())
     return "None of the " + counted(answer.pairs.size(), "pair", "pairs") +
-           " is left by the options that choose some: leave them out to see all.";
-  return "This surface has no handles (its genus is 0), so that there are no handle loops and no "
-         "tunnel loops. Narrow places of it are shown with --throats, its curve skeleton by "
-         "'htloops skeleton'.";
+           " matches the options that select pairs: omit them to see all.";
+  return "This surface has no handles (its genus is 0), so there are no handle loops and no "
+         "tunnel loops. Use --throats to show its narrow places, or 'htloops skeleton' for its "
+         "curve skeleton.";
 }
 
 void add_group(htl_scene::Scene& scene,
@@ -185,8 +185,8 @@ void add_throats(htl_scene::Scene& scene, const Throats& throats) {
   add_columns(scene.table, throat_columns);
   scene.groups = {{"handle loops", colour_of(Loop_type::HANDLE)},
                   {"tunnel loops", colour_of(Loop_type::TUNNEL)},
-                  {"of other classes", colour_of(Loop_type::BOUNDARY)},
-                  {"that separate", colour_of_separating}};
+                  {"loops of other classes", colour_of(Loop_type::BOUNDARY)},
+                  {"separating loops", colour_of_separating}};
   for(const Throat& throat : throats.all) {
     const std::size_t group = throat.is_separating                      ? 3
                               : !throat.pair                            ? 2
@@ -336,7 +336,7 @@ private:
     after.part_colours.assign(scene_.table.rows.size() + 1, colour_of_caps);
     after.part_colours[0] = scene_.surface_colour;
     if(!report().removed.empty() || !report().removed_necks.empty())
-      scene_.patches = {{"new faces, where handles were", colour_of_caps}};
+      scene_.patches = {{"new faces at removed handles", colour_of_caps}};
   }
 
   const Removal_shown& shown_;
@@ -394,7 +394,7 @@ std::string why_no_rows(const Removal_shown& shown) {
   return shown.pairs.empty()
              ? "This surface has no handles (its genus is 0): there is nothing to remove."
              : "None of the " + counted(shown.pairs.size(), "handle", "handles") +
-                   " is one that was to be removed: 'htloops loops' shows all.";
+                   " was selected for removal: 'htloops loops' shows all.";
 }
 
 htl_scene::Scene scene_of_parts(const std::string& title,
@@ -445,7 +445,8 @@ htl_scene::Scene scene_of_loops(const View& view,
   if(scene.table.rows.empty())
     scene.table.empty = why_no_rows(answer);
   add_group(scene, "boundary curves", colour_of_boundary_curve, answer.boundaries.curves);
-  add_group(scene, "their waists", colour_of(Loop_type::BOUNDARY), answer.boundaries.waists);
+  add_group(scene, "waists of boundary curves", colour_of(Loop_type::BOUNDARY),
+            answer.boundaries.waists);
   look(view, scene);
   return scene;
 }
@@ -496,7 +497,7 @@ htl_scene::Scene scene_of_skeleton(const View& view,
   add_arcs(scene, answer);
   if(scene.table.rows.empty())
     scene.table.empty =
-        "The skeleton has no arcs: nothing of the surface is longer than it is thick, "
+        "The skeleton has no arcs: no part of the surface is longer than it is thick, "
         "or goes around a hole.";
   look_through(view, scene);
   return scene;
@@ -568,14 +569,14 @@ htl_scene::Scene scene_of_cleaning(const std::string& mesh_file,
     scene.surfaces[0].triangle_parts.push_back(static_cast<std::uint32_t>(fate));
   for(const std::int64_t origin : cleaned.face_parents)
     scene.surfaces[1].triangle_parts.push_back(origin == nothing_before ? 4 : 0);
-  scene.groups = {{"channels and handles that were closed", {170, 0, 90}}};
+  scene.groups = {{"closed channels and handles", {170, 0, 90}}};
   for(const std::vector<Point>& loop : cleaned.closed_loops)
     add_line(scene, loop, true, 0);
   scene.table.noun = "step";
-  scene.table.columns = {{"step", false, "What was looked for"},
-                         {"count", true, "How many there were"},
-                         {"done", false, "What was done about it"},
-                         {"left", false, "What was left as it is"}};
+  scene.table.columns = {{"step", false, "The step of the cleaning"},
+                         {"count", true, "How many were found"},
+                         {"done", false, "What was done"},
+                         {"left", false, "What was left unchanged"}};
   for(const Clean_record& record : cleaned.records) {
     scene.table.rows.push_back({name_of(record.step), std::to_string(record.count),
                                 boost::algorithm::join(record.done, "; "),

@@ -329,11 +329,10 @@ Charts make_charts(const generators::Soup& opened) {
   for(const Component& component : components) {
     std::vector<Places> candidates = charts_of(component);
     if(candidates.empty())
-      throw Failure(
-          Exit_code::NOT_CERTIFIED,
-          "no chart was found that keeps all triangles upright, of the component of vertex " +
-              std::to_string(component.vertices.front()) +
-              ": cut it along more edges, with --through");
+      throw Failure(Exit_code::NOT_CERTIFIED,
+                    "no chart without flipped triangles was found for the component of vertex " +
+                        std::to_string(component.vertices.front()) +
+                        ": cut it along more edges, with --through");
     charts.push_back(std::move(candidates.front()));
   }
   const Packing packing = pack(charts);
@@ -347,7 +346,8 @@ Charts make_charts(const generators::Soup& opened) {
       ++result.number_of_fine_ones;
       places = fine;
       if(!is_chart(components[i], places))
-        throw Failure(Exit_code::NOT_CERTIFIED, "a chart is too fine for numbers of this computer");
+        throw Failure(Exit_code::NOT_CERTIFIED,
+                      "a chart has triangles that are too small for double precision");
     }
     for(std::size_t v = 0; v < places.size(); ++v)
       result.places[components[i].vertices[v]] = {places[v].x(), places[v].y()};
@@ -365,7 +365,7 @@ namespace htloops {
 bool can_make_charts() { return false; }
 
 Charts make_charts(const CGAL::Handle_tunnel_loops::generators::Soup&) {
-  throw wrong_usage("charts want a build with Eigen");
+  throw wrong_usage("charts need a build with Eigen");
 }
 
 } // namespace htloops

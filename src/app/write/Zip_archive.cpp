@@ -30,7 +30,7 @@ std::uint32_t checksum(std::string_view content) {
 
 std::uint32_t word(std::size_t size) {
   if(size > (std::numeric_limits<std::uint32_t>::max)())
-    throw wrong_usage("the mesh is larger than a package of four gigabytes has room for");
+    throw wrong_usage("the mesh is too large for a ZIP archive of 4 GB");
   return static_cast<std::uint32_t>(size);
 }
 

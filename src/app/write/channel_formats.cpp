@@ -26,13 +26,13 @@ void check_room(const Point& p, double radius) {
     has_room = has_room && least < p[i] && p[i] < most;
   if(!has_room)
     throw wrong_usage(
-        "PDB counts in Angstroms and has room for coordinates from -999 to 9999 only: "
-        ".bild and .csv have more");
+        "PDB coordinates are in Angstroms and must be between -999 and 9999: use .bild "
+        "or .csv");
 }
 
 // A chain for each channel; its residue has the number of the pair.
 void write_pdb(Text_writer& out, const Channels& channels) {
-  out << "REMARK   1 Channels found by htloops: the column of B factors is the radius\n"
+  out << "REMARK   1 Channels found by htloops: the B-factor column is the radius\n"
          "REMARK   1 In PyMOL, a line each: alter all, vdw=b\n"
          "REMARK   1                        rebuild\n"
          "REMARK   1                        show spheres\n";

@@ -55,7 +55,7 @@ std::string words_of(const Mesh_state& state) {
          (state.boundaries == 0 ? "closed, volume " + formatted("%.6g", state.volume)
                                 : counted(state.boundaries, "boundary curve", "boundary curves")) +
          (state.crossings == 0
-              ? std::string(", crosses itself nowhere")
+              ? std::string(", no self-intersections")
               : ", " + counted(state.crossings, "pair of faces crosses", "pairs of faces cross"));
 }
 

@@ -60,7 +60,7 @@ Named_edges group_of(const Dual_cut& cut, const Written_cuts& written) {
     if(times > most_times)
       throw wrong_usage("cannot write " + written.file + ": the " + group.name + " runs " +
                         std::to_string(times) +
-                        " times along an edge, too often for lines; .vtu and .json have numbers");
+                        " times along an edge, too often for lines: use .vtu or .json");
     group.edges.insert(group.edges.end(), static_cast<std::size_t>(times),
                        ends_of(written.mesh, halfedge));
   }

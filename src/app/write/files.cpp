@@ -81,7 +81,7 @@ public:
       return;
     }
     if(is_dangling_link(path_of(destination_)))
-      fail_to_write(target, "its links lead nowhere");
+      fail_to_write(target, "it is a dangling link");
     if(fs::exists(status)) // renaming would replace a read-only file without asking
       open_file(destination_, "r+b", target);
     unfinished_.emplace();

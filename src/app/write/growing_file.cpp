@@ -44,7 +44,7 @@ std::string Growing_file::old_lines() const {
     return "";
   if(text.compare(0, header_.size(), header_) != 0)
     throw wrong_usage(printable(target_) +
-                      " cannot be resumed: it has other columns than these options write");
+                      " cannot be resumed: its columns differ from those of these options");
   return text.substr(header_.size());
 }
 

@@ -70,7 +70,7 @@ void go_on_with_objects(Line_file& objects) {
     const Json json = Json::parse(line, nullptr, false);
     if(!json.is_object() || !json.contains("mesh") || !json["mesh"].is_string())
       throw wrong_usage(printable(objects.file.target()) +
-                        " cannot be resumed: it is not a file of lines of JSON about meshes");
+                        " cannot be resumed: its lines are not JSON objects of meshes");
     objects.meshes.insert(json["mesh"].get<std::string>());
   }
   objects.file.go_on_after(joined(lines));

@@ -22,8 +22,8 @@ namespace htloops {
 namespace {
 
 constexpr char head_of_script[] =
-    R"(# Marks seams in Blender, 3.4 or later, on the mesh of a file: on the object that has it, or it imports
-# the file. Open it in the workspace "Scripting" and run it, or
+    R"(# Marks seams in Blender 3.4 or later: on the object with the mesh of a file, or on the file, which it
+# imports. Open it in the workspace "Scripting" and run it, or
 #   blender --python THIS.py
 #   blender --background --python THIS.py -- OUT.blend
 import os
@@ -40,7 +40,7 @@ TOLERANCE = 2e-6 * max((abs(x) for place in PLACES.values() for x in place), def
 
 
 def readings(obj):
-    """Places of vertices as they may stand in the file: as they are, or before Y became up."""
+    """Vertex positions as the file may have them: as they are, or before Y became up."""
     for matrix in (None, obj.matrix_world):
         places = [v.co if matrix is None else matrix @ v.co for v in obj.data.vertices]
         yield places
@@ -52,7 +52,7 @@ def is_at(place, vertex):
 
 
 def find_vertices(obj):
-    """By vertex of the file those of the object: the one of its number, or all at its place."""
+    """For each vertex of the file those of the object: the one with its number, or all at its place."""
     best = {}
     for places in readings(obj):
         if len(places) == NUMBER_OF_VERTICES and all(is_at(places[v], v) for v in PLACES):
@@ -68,7 +68,7 @@ def find_vertices(obj):
 
 
 def edges_to_mark(obj):
-    """The seams that the object has, each with its edges there."""
+    """The seams of the object, each with its edges there."""
     vertices = find_vertices(obj)
     edges = {frozenset(e.vertices): e for e in obj.data.edges}
     marks = {}
@@ -80,7 +80,7 @@ def edges_to_mark(obj):
 
 
 def mark(objects):
-    """Whether the objects have all seams; marks them if so: on the first that has all, or on several."""
+    """Whether the objects have all seams; if so, marks them: on the first that has all, or on several."""
     marks = {obj: edges_to_mark(obj) for obj in objects}
     whole = [obj for obj in objects if len(marks[obj]) == len(SEAMS)][:1]
     if not whole and len(set().union(*marks.values())) < len(SEAMS):
@@ -96,7 +96,7 @@ def mark(objects):
 constexpr char rest_of_script[] = R"(
 
 def import_file(path):
-    """The objects of a file, by whichever of its importers this Blender has."""
+    """The objects of a file, read with whichever importer this Blender has."""
     importers = {
         ".obj": ("wm.obj_import", "import_scene.obj"),
         ".ply": ("wm.ply_import", "import_mesh.ply"),
@@ -110,9 +110,9 @@ def import_file(path):
         try:
             getattr(getattr(bpy.ops, module), operator)(filepath=path)
         except AttributeError:
-            continue  # there is no such importer
+            continue  # this Blender lacks it
         return [obj for obj in bpy.data.objects if obj not in before and obj.type == "MESH"]
-    fail(f"this Blender does not read {path}: import the mesh from a file that it reads")
+    fail(f"this Blender cannot read {path}: import the mesh from a file in another format")
 
 
 def path_of_mesh():
@@ -136,9 +136,9 @@ def main():
     elif not mark(objects):
         path = path_of_mesh()
         if not os.path.exists(path):
-            fail(f"no object is the mesh of {MESH or 'the file'}, and {path or 'that'} is not there: import it first")
+            fail(f"no object has the mesh of {MESH or 'the file'}, and {path or 'that'} does not exist: import it first")
         if not mark(import_file(path)):
-            fail(f"the mesh of {path} is not the one that the seams were made for")
+            fail(f"the seams were made for another mesh than that of {path}")
     if "--" in sys.argv and sys.argv[-1].endswith(".blend"):
         bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(sys.argv[-1]))
 

@@ -161,7 +161,7 @@ void write_swc(Text_writer& out, const Skeleton_answer& answer) {
   const Swc_rows swc(answer.graph);
   out << "# curve skeleton by htloops: id type x y z radius parent\n"
          "# coordinates and radii are in the unit of the mesh\n"
-         "# a point of type 7 is an earlier one again, where a cycle is cut: id of both\n";
+         "# a point of type 7 repeats an earlier one where a cycle is cut: ids of both\n";
   for(std::size_t i = 0; i < swc.rows().size(); ++i)
     if(swc.rows()[i].is_copy)
       out << "# cycle: " << i + 1 << ' ' << swc.row_of(swc.rows()[i].point) + 1 << '\n';

@@ -113,8 +113,8 @@ std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolutio
        std::tuple(resolution.rests, "rest", "rests"),
        std::tuple(resolution.early_vertices, "vertex reached ahead of the front",
                   "vertices reached ahead of the front"),
-       std::tuple(resolution.events_in_seed_region, "event beside the seed",
-                  "events beside the seed")})
+       std::tuple(resolution.events_in_seed_region, "event next to the seed",
+                  "events next to the seed")})
     if(number > 0)
       text += (text.empty() ? " " : ", ") + counted(number, one, many);
   return "the mesh is coarse for the field:" + text + "\n";
@@ -184,11 +184,13 @@ std::string words_of_nodes(const Skeleton_graph& graph) {
 std::string words_of_proof(const Skeleton_answer& answer) {
   const std::size_t edges = num_edges(answer.graph), cycles = number_of_cycles(answer.graph);
   if(edges == 0)
-    return "certified: no edge, and no cycle, as there is no handle\n";
+    return "certified: no edges, and no cycles, as there are no handles\n";
   return "certified: " +
-         (edges == 1 ? "the only edge lies" : "all " + std::to_string(edges) + " edges lie") +
-         " inside, and none meets another but in a common end; " +
-         (cycles == 0 ? "no cycle, as there is no handle\n"
+         (edges == 1
+              ? "the only edge lies inside"
+              : "all " + std::to_string(edges) + " edges lie inside and meet only at common ends") +
+         "; " +
+         (cycles == 0 ? "no cycles, as there are no handles\n"
           : cycles == 1
               ? "the cycle is a basis of H1 of the solid\n"
               : "the " + std::to_string(cycles) + " cycles are a basis of H1 of the solid\n");
@@ -204,12 +206,12 @@ std::string words_of_certificate(const Skeleton_answer& answer) {
   for(std::size_t i = 0; i < (std::min)(failures.size(), most_lines); ++i)
     text += "  " + failures[i] + "\n";
   if(failures.size() > most_lines)
-    text += "  and " + std::to_string(failures.size() - most_lines) + " more such lines\n";
+    text += "  ... " + std::to_string(failures.size() - most_lines) + " more\n";
   const std::size_t edges = num_edges(answer.graph);
   if(edges == 0)
     return text;
-  return text + "of " + counted(edges, "edge ", "edges ") +
-         std::to_string(edges - answer.certificate().edges_outside.size()) + " lie inside\n";
+  return text + std::to_string(edges - answer.certificate().edges_outside.size()) + " of " +
+         counted(edges, "edge lies", "edges lie") + " inside\n";
 }
 
 constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
@@ -287,7 +289,7 @@ std::string summary_of_sides(const Certificate& certificate) {
          " outside" +
          (handles_alone == handles && tunnels_alone == tunnels
               ? ""
-              : "; each component by itself " + std::to_string(handles_alone) + " and " +
+              : "; within each component " + std::to_string(handles_alone) + " and " +
                     std::to_string(tunnels_alone));
 }
 
@@ -300,8 +302,8 @@ std::vector<std::string> remarks_on_sides(const Certificate& certificate) {
     else if(!linking.bounds_inside() && !linking.bounds_outside())
       lines.push_back(
           name_of_loop(i) +
-          ": bounds on neither side, by its linking numbers with loops pushed outwards (" +
-          words(linking.row, i) + ") and of loops with it pushed outwards (" +
+          ": bounds on neither side; its linking numbers with loops pushed outward are (" +
+          words(linking.row, i) + "), those of loops with it pushed outward are (" +
           words(linking.column, i) + ")");
   }
   return lines;
@@ -353,8 +355,8 @@ constexpr Table_column cost_columns[] = {
     {"fill adds", 10, true, {}, "The volume that filling the hole adds to the solid"}};
 
 constexpr Table_column place_columns[] = {
-    {"centre of the shorter", 34, false, {}, "The center of the bounding box of the shorter loop"},
-    {"its box", 0, false, {}, "The extents of that box along x, y and z"}};
+    {"center of shorter loop", 34, false, {}, "The center of the bounding box of the shorter loop"},
+    {"bounding box", 0, false, {}, "The extents of that bounding box along x, y and z"}};
 
 } // namespace
 
@@ -455,13 +457,13 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
     text += ", " + counted(statistics.number_of_boundaries, "boundary curve", "boundary curves");
   text += ": ";
   if(answer.pairs.empty())
-    text += has_boundary ? "no pairs; the boundary curves but one of each component are a basis of "
+    text += has_boundary ? "no pairs; all boundary curves except one per component are a basis of "
                            "H1(S; Z)\n"
                          : "no loops\n";
   else
     text += counted(answer.pairs.size(), "pair", "pairs") +
             " of loops, certified as a basis of H1(S; Z)" +
-            (has_boundary ? " with the boundary curves but one of each component\n" : "\n") +
+            (has_boundary ? " with all boundary curves except one per component\n" : "\n") +
             formatted("total length %.6g of the handles, %.6g of the tunnels\n",
                       total_length(answer.pairs, Loop_type::HANDLE),
                       total_length(answer.pairs, Loop_type::TUNNEL));
@@ -470,7 +472,7 @@ std::string summary(const Answer& answer, double read_seconds, const Table_optio
     text += sides + "\n" + reasons(answer, options.show_all);
   text += words_of_unit(answer.unit);
   if(statistics.was_ended_by_time)
-    text += "the search for shorter loops was ended by its time budget\n";
+    text += "the search for shorter loops stopped at its time budget\n";
   return text + remarks(statistics.resolution) +
          formatted("%.2f s after %.2f s of reading, backend %s, ", answer.total_seconds,
                    read_seconds, answer.backend.c_str()) +
@@ -492,7 +494,7 @@ std::string table_of_boundaries(const Boundaries& boundaries, bool show_all) {
   std::vector<Table_column> columns = {{"boundary", 8, true}, {"length", 12, true}};
   if(has_waists)
     columns.push_back({"waist", 12, true});
-  columns.insert(columns.end(), {{"edges", 8, true}, {"centre", 0, false}});
+  columns.insert(columns.end(), {{"edges", 8, true}, {"center", 0, false}});
   std::vector<std::size_t> order(curves.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -583,7 +585,7 @@ std::string summary(const Skeleton_answer& answer, double read_seconds) {
   text += ": " + counted(answer.arcs.size(), "arc", "arcs") + ", " +
           counted(number_of_cycles(answer.graph), "cycle", "cycles") +
           words_of_nodes(answer.graph) + "\n" + words_of_certificate(answer) +
-          formatted("%.2f s, loops %.2f s of them, after %.2f s of reading, ", answer.total_seconds,
+          formatted("%.2f s (%.2f s for loops) after %.2f s of reading, ", answer.total_seconds,
                     answer.statistics.seconds_of_loops, read_seconds);
   return text + counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") +
          "\n";

@@ -121,16 +121,8 @@ constexpr Table_column arc_columns[] = {
      {},
      "The length of the contour halfway along the arc, if it crosses a face"},
     {"vertices", 9, true, {}, "The number of vertices in its part of the surface"},
-    {"from",
-     14,
-     false,
-     {},
-     "The node where the function is least, with its number: a saddle is a joint"},
-    {"to",
-     0,
-     false,
-     {},
-     "The node where the function is largest, with its number: a saddle is a joint"}};
+    {"from", 14, false, {}, "The node with the smallest value, and its number: saddles are joints"},
+    {"to", 0, false, {}, "The node with the largest value, and its number: saddles are joints"}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Listed_arc& arc);
@@ -147,8 +139,8 @@ constexpr Table_column skeleton_columns[] = {
      15,
      true,
      {},
-     "The radius of the smallest of the largest balls inside along the arc"},
-    {"mean radius", 12, true, {}, "The mean radius of the largest balls inside along the arc"},
+     "The radius of the smallest maximal inscribed ball along the arc"},
+    {"mean radius", 12, true, {}, "The mean radius of the maximal inscribed balls along the arc"},
     {"tortuosity",
      10,
      true,

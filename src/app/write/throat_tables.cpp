@@ -59,7 +59,7 @@ std::string table_of_throats(const Throats& throats, bool show_all) {
       counted(throats.all.size(), "throat", "throats") + formatted(", %.2f s", throats.seconds) +
       "\n";
   for(const Mesh::Vertex_index v : throats.in_vain)
-    text += "of the loops through vertex " + std::to_string(v.idx()) + " none is a throat\n";
+    text += "no loop through vertex " + std::to_string(v.idx()) + " is a throat\n";
   return text;
 }
 

@@ -33,19 +33,19 @@ constexpr Table_column throat_columns[] = {
      12,
      true,
      {},
-     "About how much longer the loop must become before it slips away; any: it never does"},
+     "About how much longer the loop must become before it slips off; any: it never does"},
     {"bounds",
      9,
      false,
      {},
-     "The side of the surface on which a disc, or a surface, ends in the loop"},
+     "The side of the surface on which the loop bounds a disk or another surface"},
     {"class of",
      10,
      false,
      {},
-     "The loop of a handle or tunnel into which it can be deformed; none: it cuts the surface in "
+     "The handle or tunnel loop into which it can be deformed; none: it cuts the surface in "
      "two"},
-    {"centre", 0, false, {}, "The middle of the box around the loop"}};
+    {"center", 0, false, {}, "The center of the bounding box of the loop"}};
 
 /// what stands in the columns.
 std::vector<std::string> cells_of(const Throats& throats, const Throat& throat);

@@ -245,7 +245,7 @@ TEST_F(Skeletons, are_summed_up_with_what_is_proved) {
   certificate.failure = "edge 1-4 leaves through face 7";
   EXPECT_NE(summary(answer, 0.)
                 .find("not certified:\n  edge 1-4 leaves through face 7\n"
-                      "of 10 edges 9 lie inside\n"),
+                      "9 of 10 edges lie inside\n"),
             std::string::npos)
       << summary(answer, 0.);
 }
