@@ -20,8 +20,8 @@
 #include <vector>
 
 /// \file answers.h
-/// What was returned to Python, as it was before. What is told does not fit together, or not the
-/// mesh, if `std::invalid_argument` is thrown.
+/// Results that Python passes back. The functions throw `std::invalid_argument` if the parts of a
+/// result are inconsistent, or if it belongs to another mesh.
 
 namespace htl_python {
 
@@ -29,7 +29,7 @@ htloops::Skeleton_answer skeleton_of(const py::dict& record);
 
 htloops::Reeb_answer reeb_answer_of(const py::dict& record, const htloops::Mesh& mesh);
 
-/// of a report of `remove_handles()`, with the mesh that came with it.
+/// from a report of `remove_handles()` and the mesh returned with it.
 htloops::Removal_answer removal_of(const py::dict& report, const htloops::Mesh& after);
 
 /// the edges between pairs of vertices.

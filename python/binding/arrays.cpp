@@ -20,8 +20,7 @@ namespace {
 
 using htloops::Soup;
 
-// Calls visit(row, numbers). Other types are converted some rows at a time: there is no second
-// copy.
+// Calls visit(row, numbers). Other types are converted some rows at a time, to avoid a second copy.
 template <typename Number, typename Visit> void for_each_row(const py::array& array, Visit visit) {
   constexpr int flags =
       py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
@@ -41,8 +40,9 @@ void add_faces(const py::array& array, Soup& soup) {
     face.resize(size);
     for(std::size_t j = 0; j < size; ++j) {
       if(corners[j] < 0 || static_cast<std::size_t>(corners[j]) >= soup.points.size())
-        throw Mesh_error("face " + std::to_string(i) + " names vertex " +
-                         std::to_string(corners[j]) + ", of " + std::to_string(soup.points.size()));
+        throw Mesh_error("face " + std::to_string(i) + " refers to vertex " +
+                         std::to_string(corners[j]) + ", which does not exist: there are " +
+                         std::to_string(soup.points.size()) + " vertices");
       soup.set_corner(face, j, static_cast<std::uint32_t>(corners[j]));
     }
   });
@@ -50,7 +50,7 @@ void add_faces(const py::array& array, Soup& soup) {
 
 const char* advice_on(const Soup& soup) {
   const Soup mended = htloops::mend(soup, {true, true}).soup;
-  return htloops::diagnose(mended).empty() ? "\nrepair() mends it" : "";
+  return htloops::diagnose(mended).empty() ? "\nrepair() fixes this" : "";
 }
 
 } // namespace
@@ -89,11 +89,11 @@ htloops::Mesh mesh_of(const py::array& points, const py::array& triangles) {
 htloops::Mesh::Vertex_index vertex_of(const htloops::Mesh& mesh, py::ssize_t number) {
   const auto count = static_cast<py::ssize_t>(mesh.number_of_vertices());
   if(number < 0 || number >= count)
-    throw std::invalid_argument("vertex " + std::to_string(number) + " is not one of the " +
-                                std::to_string(count));
+    throw std::invalid_argument("vertex " + std::to_string(number) + " does not exist: there are " +
+                                std::to_string(count) + " vertices");
   const htloops::Mesh::Vertex_index v(static_cast<std::uint32_t>(number));
   if(mesh.is_isolated(v))
-    throw std::invalid_argument("vertex " + std::to_string(number) + " has no face");
+    throw std::invalid_argument("vertex " + std::to_string(number) + " belongs to no face");
   return v;
 }
 
@@ -110,7 +110,7 @@ py::tuple arrays_of(const htloops::Mesh& mesh) {
   corners.reserve(3 * mesh.number_of_faces());
   for(const htloops::Mesh::Face_index f : mesh.faces())
     for(const htloops::Mesh::Halfedge_index h : halfedges_around_face(mesh.halfedge(f), mesh))
-      corners.push_back(mesh.source(h).idx()); // so that corners stay in their order
+      corners.push_back(mesh.source(h).idx()); // to keep the order of the corners
   return py::make_tuple(rows_of<double>(mesh.points()), array_of(corners, 3));
 }
 

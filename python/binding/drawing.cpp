@@ -41,12 +41,12 @@ using htloops::View;
 
 const htloops::Choice choice = {"pairs = [", "]"};
 
-// Makes what is drawn, for which nothing of Python is needed any more. Titles end before the name.
+// Makes the scene, without Python. Titles end before the name.
 using Make_scene = std::function<Scene(const View&)>;
 
 Make_scene scene_of_loops(const Mesh& mesh, const py::dict& record) {
   return [&mesh, pairs = pairs_of(record, mesh)](const View& view) {
-    htloops::Answer answer; // as far as it is drawn
+    htloops::Answer answer; // only what is drawn
     answer.pairs = pairs;
     answer.boundaries = htloops::find_boundaries(mesh, false);
     answer.bores = htloops::find_bores(mesh, answer.pairs);
@@ -58,7 +58,7 @@ Make_scene scene_of_loops(const Mesh& mesh, const py::dict& record) {
 Make_scene scene_of_skeleton(const Mesh& mesh, const py::dict& record) {
   const htloops::Skeleton_answer answer = skeleton_of(record);
   require(answer.vertex_point.size() == mesh.number_of_vertices(),
-          "the skeleton is of another mesh");
+          "the skeleton belongs to another mesh");
   return [&mesh, answer](const View& view) {
     const std::string words = counted(answer.arcs.size(), "arc", "arcs") + ", " +
                               counted(htloops::number_of_cycles(answer.graph), "cycle", "cycles") +
@@ -82,7 +82,7 @@ Make_scene scene_of_removal(const Mesh& mesh, const py::dict& record) {
   htloops::Removal_answer removal = removal_of(record["report"], after);
   for(const std::int64_t origin : removal.face_origins)
     require(origin < static_cast<std::int64_t>(mesh.number_of_faces()),
-            "the mesh is not the one from which handles were removed");
+            "the handles were not removed from this mesh");
   return [&mesh, removal, pairs = pairs_of(record["loops"], mesh)](const View& view) {
     htloops::Answer answer;
     answer.pairs = pairs;
@@ -133,7 +133,7 @@ void picture(const std::string& file,
              const std::vector<double>& size,
              const Watch& watch) {
   if(!htloops::has_pictures)
-    throw std::invalid_argument("this build makes no pictures: libpng was not there");
+    throw std::invalid_argument("this build cannot draw pictures: it was made without libpng");
   const Mesh mesh = mesh_of(points, triangles);
   const Make_scene make = scene_of(mesh, kind, record);
   htloops::Picture_options options;

@@ -28,7 +28,8 @@ const generators::Kind& kind_of(const std::string& name) {
       return kind;
     names += std::string(names.empty() ? "" : ", ") + kind.name;
   }
-  throw std::invalid_argument("there is no kind '" + name + "' of meshes; there are " + names);
+  throw std::invalid_argument("there is no kind '" + name + "' of test meshes; the kinds are " +
+                              names);
 }
 
 py::tuple generate(const std::string& name, const py::dict& given, const Watch& watch) {

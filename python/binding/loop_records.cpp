@@ -112,7 +112,7 @@ std::string in_words(const std::vector<std::string>& problems) {
   for(std::size_t i = 0; i < problems.size() && i < most; ++i)
     text += "\n  " + problems[i];
   if(problems.size() > most)
-    text += "\n  and " + std::to_string(problems.size() - most) + " more such lines";
+    text += "\n  and " + std::to_string(problems.size() - most) + " more";
   return text;
 }
 
@@ -209,7 +209,7 @@ htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {
     for(std::size_t i = 0; i < loops.size(); i += 2)
       all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1]), std::nullopt});
   } catch(const py::index_error&) {
-    throw std::invalid_argument("the arrays of the loops do not fit together");
+    throw std::invalid_argument("the arrays of the loops are inconsistent");
   }
   htloops::Bound_loops bound = htloops::bind_loops(all, mesh);
   if(!bound.problems.empty())

@@ -31,7 +31,7 @@ using htloops::Point;
 using htloops::Reeb_answer;
 using namespace py::literals;
 
-constexpr char of_another_mesh[] = "the Reeb graph is of another mesh";
+constexpr char of_another_mesh[] = "the Reeb graph belongs to another mesh";
 
 py::dict nodes_of(const Reeb_answer& answer) {
   std::vector<Point> positions;

@@ -135,10 +135,10 @@ Skeleton_graph graph_of(const py::dict& record) {
   const std::vector<std::uint8_t> is_inlet = numbers_of<std::uint8_t>(record, "is_inlet");
   const std::size_t size = radii.size();
   require(points.size() == 3 * size && components.size() == size && is_inlet.size() == size,
-          "the arrays of the skeleton do not fit together");
+          "the arrays of the skeleton are inconsistent");
   for(const std::int64_t end : ends)
     require(end >= 0 && end < static_cast<std::int64_t>(size),
-            "the skeleton has edges at points that it has not");
+            "the skeleton has edges at points that do not exist");
   Skeleton_graph graph(size);
   for(std::size_t i = 0; i < radii.size(); ++i) {
     graph[i].point = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};

@@ -258,15 +258,16 @@ htloops::Removal_answer removal_of(const py::dict& report, const Mesh& after) {
                     refused_of(report["refused_necks"])};
   const std::size_t patches = removal.report.removed.size() + removal.report.removed_necks.size();
   const auto face_patch = numbers_of<std::int64_t>(report, "face_patch");
-  require(face_patch.size() == after.number_of_faces(), "the report is of another mesh");
+  require(face_patch.size() == after.number_of_faces(), "the report belongs to another mesh");
   for(const std::int64_t patch : face_patch) {
-    require(patch < static_cast<std::int64_t>(patches), "the report names patches that it has not");
+    require(patch < static_cast<std::int64_t>(patches),
+            "the report refers to patches that do not exist");
     removal.patches.push_back(patch < 0 ? htloops::Removal_answer::no_patch
                                         : static_cast<std::size_t>(patch));
   }
   for(const auto* handles : {&removal.report.removed, &removal.report.removed_necks})
     for(const htl::Removed_handle& handle : *handles)
-      require(handle.patch < patches, "the report names patches that it has not");
+      require(handle.patch < patches, "the report refers to patches that do not exist");
   removal.face_origins = numbers_of<std::int64_t>(report, "face_origin");
   return removal;
 }

@@ -2,9 +2,9 @@
 
     python3 circuit_of_plate.py [MESH.off]
 
-On a plate with holes, or on a shell with handles, currents are gradients of a potential but for one
-number for each independent loop. The potential is single-valued when the surface is cut by the duals of
-those loops: across cut j it jumps by the current that is linked with loop j.
+On a plate with holes, or on a shell with handles, a current is the gradient of a potential, up to one
+number for each independent loop. The potential is single-valued on the surface cut along the duals of
+those loops: across cut j it jumps by the current that belongs to loop j.
 """
 
 import sys
@@ -15,10 +15,9 @@ import handle_tunnel_loops as htl
 
 
 def jumps_around(loop, cut, V, F):
-    """How much a potential that jumps by one across the cut has changed after once along the loop.
+    """By how much a potential that jumps by one across the cut changes once around the loop.
 
-    The loop is moved onto edges, and the cut beside the vertices: an edge is on it, or touches it at an
-    end. The potential is one for each corner of a face, smooth but across the cut.
+    The loop is followed from face to face; a step across an edge of the cut changes the potential.
     """
     jump = {}
     for (u, v), times in zip(cut.edges.tolist(), cut.times.tolist()):
@@ -37,7 +36,7 @@ def jumps_around(loop, cut, V, F):
 
 
 def faces_along(loop, left, V):
-    """The faces that a loop passes, each beside the next one."""
+    """The faces along a loop, each adjacent to the next."""
     around = {}
     for (u, _), face in left.items():
         around.setdefault(u, set()).add(face)
@@ -56,7 +55,7 @@ def faces_along(loop, left, V):
 
 
 def path_between(start, end, allowed, left):
-    """From one face of a fan to another, without the latter."""
+    """The faces of a fan from one to another, without the latter."""
     before = {start: None}
     queue = [start]
     for face in queue:

@@ -1,4 +1,4 @@
-"""Loops in matplotlib, and how the same is done in PyVista.
+"""Plots loops with matplotlib; comments show the same with PyVista.
 
     python3 plot_loops.py [MESH.off [OUT.png]]
 """

@@ -1,10 +1,10 @@
-"""A surface of genus 0 of a segmented volume.
+"""A surface of genus 0 from a segmented volume.
 
     python3 segmented_volume.py
 
-The volume is made here: a ball with noise in its shell, as a segmentation of a brain has it. The faces
-between voxels inside and outside are the surface; where voxels meet in an edge or a corner only, it is no
-manifold, which `repair` mends.
+The volume is generated: a ball whose surface is as noisy as the segmentation of a brain. The mesh consists
+of the faces between inner and outer voxels. Where voxels meet only in an edge or a corner, it is not a
+manifold; `repair` splits it there.
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ def ball_with_noise(n=24, noise=0.25, seed=7):
 
 
 def largest_piece(volume):
-    """The voxels that hang together with the middle one by faces."""
+    """The voxels that are connected to the middle one through faces."""
     piece = np.zeros_like(volume)
     middle = tuple(np.array(volume.shape) // 2)
     piece[middle] = True
@@ -37,7 +37,7 @@ def largest_piece(volume):
 
 
 def faces_of_voxels(volume):
-    """Corners (n, 3), and quads (m, 4) that face outwards."""
+    """Vertices (n, 3), and quads (m, 4) that face outwards."""
     volume = np.pad(volume, 1)
     quads = []
     for axis in range(3):
@@ -63,7 +63,7 @@ def main():
     for count, words in changes:
         print(f"{count:6} {words}")
     L = htl.loops(V, F)
-    print(f"{L.number_of_components} surfaces of genus {L.genus} altogether")
+    print(f"{L.number_of_components} components, total genus {L.genus}")
     V, F, _, report = htl.remove_handles(V, F, loops=L)
     print(f"after the removal of {len(report['removed'])} handles: genus {report['genus_after']}")
     return report

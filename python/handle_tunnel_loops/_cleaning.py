@@ -1,4 +1,4 @@
-"""Closed solids, made of meshes with something wrong."""
+"""Closed solids from defective meshes."""
 
 from __future__ import annotations
 
@@ -79,9 +79,9 @@ def clean(
     for step, name, value in (("repair", "weld", weld), ("handles", "genus", genus),
                               ("handles", "noise_below", noise_below)):
         if step in skipped and value is not None:
-            raise ValueError(f"{name} is about a step that skip leaves out: {step!r}")
+            raise ValueError(f"{name} is for a step that skip leaves out: {step!r}")
     if channels is None:
-        raise TypeError('channels has to be a length; skip="channels" leaves them')
+        raise TypeError('channels must be a length; to leave channels open, use skip="channels"')
     chosen: Dict[str, Any] = dict(
         skip=skipped,
         weld=_length("weld", weld),
@@ -105,7 +105,7 @@ def _in_words_of_python(line: str) -> str:
 
 def _steps(skip: Any) -> List[str]:
     if skip is None:
-        raise TypeError("skip has to be steps, or () for none")
+        raise TypeError("skip must be a step, several steps, or () for none")
     steps = [skip] if isinstance(skip, str) else list(skip)
     return [word("skip", step, get_args(CleanStep)) for step in steps]
 
@@ -116,7 +116,7 @@ def _length(name: str, value: Optional[Length]) -> Optional[Tuple[float, bool]]:
     if length is None:
         return None
     if not 0 < length < math.inf:
-        raise ValueError(f"{name} is not positive, or not finite")
+        raise ValueError(f"{name} must be positive and finite")
     return length, isinstance(value, str)
 
 
@@ -129,5 +129,5 @@ def _share(value: Any) -> float:
             share = math.nan
     share = real_or_none("floaters", share)
     if share is None or not 0 <= share <= 1:
-        raise ValueError(f'floaters {value!r}: not a share of the volume, such as 0.0002 or "0.02%"')
+        raise ValueError(f'floaters must be a share of the volume, such as 0.0002 or "0.02%", not {value!r}')
     return share

@@ -1,4 +1,4 @@
-"""Who computes the rows of a survey."""
+"""The executors that compute the rows of a survey."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from ._table import COLUMNS, Row
 Compute = Callable[[str], Row]
 Rows = Generator[Row, None, None]
 
-# Enough to keep any cluster busy, few enough to keep in mind.
+# Enough to keep any cluster busy, few enough for the memory.
 _most_in_flight = 1000
 
 
 def check(executor: Any, has_memory_limit: bool) -> None:
-    """Whether there is a way to ask it, and none of its workers shares a limit with another one."""
+    """Refuses what cannot run tasks, and workers that would share a memory limit."""
     if executor is None:
         return
     if isinstance(executor, int) and not isinstance(executor, bool):
         if executor < 1:
-            raise ValueError(f"executor cannot be {executor}: it is a number of processes")
+            raise ValueError(f"executor cannot be {executor}: the number of processes must be at least 1")
         return
     distributed = sys.modules.get("distributed")
     client: Any = executor  # of Dask, perhaps
     is_of_dask = distributed is not None and isinstance(executor, distributed.Client)
     if not is_of_dask and not isinstance(executor, futures_of_python.Executor):
         raise TypeError(
-            "executor is a number of processes, a concurrent.futures.Executor "
+            "executor must be a number of processes, a concurrent.futures.Executor "
             "or a dask.distributed.Client"
         )
     has_threads = (
@@ -40,8 +40,8 @@ def check(executor: Any, has_memory_limit: bool) -> None:
     )
     if has_memory_limit and has_threads:
         raise ValueError(
-            "memory is what a whole process may have: executor has to be of processes "
-            "that do one mesh at a time, not of threads"
+            "memory limits a whole process, so the executor must use processes "
+            "that compute one mesh at a time, not threads"
         )
 
 
@@ -58,14 +58,14 @@ def _rows_of_executor(paths: Iterator[str], compute: Compute, executor: Any) -> 
         yield from _rows(paths, compute, executor, {}, _most_in_flight)
     except futures_of_python.BrokenExecutor as error:
         raise futures_of_python.BrokenExecutor(
-            "a worker of the executor was killed, perhaps for want of memory, and the executor does "
-            "nothing more. The rows that are in the file are kept: call survey() again, with a new "
-            "executor, to go on. With a number of processes as executor, survey() replaces them itself."
+            "a worker of the executor was killed, perhaps because memory ran out, and the executor cannot "
+            "continue. The rows in the file are kept: to continue, call survey() again with a new executor. "
+            "If executor is a number of processes, survey() replaces killed processes itself."
         ) from error
 
 
 def _rows_of_processes(paths: Iterator[str], compute: Compute, number: int) -> Rows:
-    """By processes of our own. What is done when one of them is killed is done again, alone."""
+    """In processes of our own. If one is killed, the meshes in flight are computed again, one at a time."""
     is_first = True
     while True:
         in_flight: Dict[Any, str] = {}
@@ -84,7 +84,7 @@ def _rows_of_processes(paths: Iterator[str], compute: Compute, number: int) -> R
 
 
 def _processes(number: int) -> futures_of_python.ProcessPoolExecutor:
-    # Here, as programs that run Python within them, as Blender does, may not stand that it is imported.
+    # Here, because programs that embed Python, such as Blender, may fail when it is imported.
     import multiprocessing
 
     # A fork would lack the threads that compute.
@@ -97,22 +97,22 @@ def _try_out(pool: futures_of_python.ProcessPoolExecutor) -> None:
         pool.submit(os.getpid).result()
     except futures_of_python.BrokenExecutor as error:
         raise RuntimeError(
-            "no process begins to work; the part of a script that calls survey() "
-            'has to be under  if __name__ == "__main__":'
+            "the processes do not start; in a script, the call of survey() "
+            'must be under  if __name__ == "__main__":'
         ) from error
 
 
 def _rows(
     paths: Iterator[str], compute: Compute, executor: Any, in_flight: Dict[Any, str], most: int
 ) -> Rows:
-    """What is in flight when nothing more can be asked of the executor is left there."""
+    """If the executor breaks, what is in flight remains in the dictionary."""
     try:
         while True:
             for path in itertools.islice(paths, most - len(in_flight)):
                 in_flight[_submitted(executor, compute, path)] = path
             if not in_flight:
                 return
-            # What is there is kept, even if something else has gone wrong.
+            # Rows that are done are kept, even if another task failed.
             done = _first_done(executor, set(in_flight))
             for future in sorted(done, key=lambda future: future.exception() is not None):
                 error = future.exception()
@@ -129,7 +129,7 @@ def _submitted(executor: Any, compute: Compute, path: str) -> Any:
     try:
         if isinstance(executor, futures_of_python.Executor):
             return executor.submit(compute, path)
-        # Dask gives a task whose worker has ended to another one.
+        # If a worker of Dask ends, Dask gives its task to another one.
         return executor.submit(compute, path, pure=False)
     except futures_of_python.BrokenExecutor as error:
         future: "futures_of_python.Future[Row]" = futures_of_python.Future()
@@ -146,5 +146,5 @@ def _first_done(executor: Any, futures: Set[Any]) -> Set[Any]:
 def _failed(path: str, future: Any) -> Row:
     row: Row = dict.fromkeys(COLUMNS)
     row["mesh"] = path
-    row["error"] = f"its worker ended: {future.exception()}"
+    row["error"] = f"its worker process ended: {future.exception()}"
     return row

@@ -99,7 +99,7 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
     It can be pickled. Two are equal if everything in them is equal, except the times.
     """
 
-    # Weak references to the arrays that it was found on, which are the caller's.
+    # Weak references to the caller's arrays on which the loops were found.
     _mesh: Tuple[Any, Any] = (None, None)
 
     def __init__(self, record: Dict[str, Any]):
@@ -147,7 +147,7 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         return self.handles[i], self.tunnels[i]
 
     def __bool__(self) -> bool:
-        return True  # of genus 0, too
+        return True  # also for genus 0
 
     def _content(self) -> Dict[str, Any]:
         record = {key: part for key, part in self._record.items() if key != "seconds"}
@@ -191,7 +191,7 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
 
     def _repr_html_(self) -> str:
         """The table, for notebooks, below a picture as long as the arrays of the mesh exist."""
-        from ._pictures import html_picture  # which is about loops
+        from ._pictures import html_picture  # which imports this module
 
         V, F = (None if array is None else array() for array in self._mesh)
         shown = "" if V is None or F is None else html_picture(V, F, self)
@@ -257,9 +257,9 @@ def loops(
 
 
 def record_of(L: Any, name: str = "L") -> Dict[str, Any]:
-    """What the compiled part takes for loops."""
+    """The record of loops, as the compiled part takes it."""
     if not isinstance(L, Loops):
-        raise TypeError(f"{name} has to be what loops() returns, not of type {type(L).__name__}")
+        raise TypeError(f"{name} must be a result of loops(), not of type {type(L).__name__}")
     return L._whole_record()
 
 

@@ -71,7 +71,7 @@ def measure(
         F, L = None, F
     value = real_or_none("precision", precision)
     if value is None or not 0.001 <= value <= 0.2:
-        raise ValueError("precision is from 0.001 to 0.2")
+        raise ValueError(f"precision cannot be {precision}: it must be from 0.001 to 0.2")
     return Measures(
         computed("measure", None, _core.measure, *arrays(V, F), record_of(L), value, threads_of(threads))
     )

@@ -19,7 +19,7 @@ _faces = ("triangle", "quad")
 
 
 def arrays(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, np.ndarray]:
-    """The points and the triangles of a mesh: what is given, or what an object has.
+    """The points and the triangles of a mesh: the given arrays, or those of an object.
 
     An object has ``vertices`` and ``faces`` (trimesh), ``points`` and ``faces`` (PyVista: rows of a
     number of corners and the corners), or ``points`` and ``cells_dict`` (meshio, and grids of PyVista);
@@ -29,13 +29,13 @@ def arrays(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, np.ndarray]:
     for part in parts:
         if part.shape[1] != 3:
             raise MeshError(
-                f"faces of the mesh have {part.shape[1]} corners; repair() makes triangles of them"
+                f"the mesh has faces with {part.shape[1]} corners; repair() cuts them into triangles"
             )
     return points, parts[0]
 
 
 def soup(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, List[np.ndarray]]:
-    """The same of faces that have more corners, too: an array for each number of corners."""
+    """The same for faces with any number of corners: one array for each number."""
     points, parts = _given(mesh, faces)
     points = numbers("V", points)
     if points.ndim != 2 or points.shape[1] != 3:
@@ -53,16 +53,16 @@ def soup(mesh: Any, faces: Any = None) -> Tuple[np.ndarray, List[np.ndarray]]:
 
 
 def _refuse_numbers_from_1(parts: List[np.ndarray], count: int) -> None:
-    """As those of MATLAB and of OBJ files are. What else is wrong with numbers is told by who uses them."""
+    """As in MATLAB and in OBJ files. Other wrong numbers are found where they are used."""
     filled = [part for part in parts if part.size > 0]
     if filled and max(part.max() for part in filled) == count and min(part.min() for part in filled) == 1:
         raise MeshError(
-            f"F names vertices 1 to {count}, of {count} that begin with 0: faces count from 1 here; subtract 1"
+            f"F refers to vertices 1 to {count}, but vertices are numbered from 0: subtract 1 from F"
         )
 
 
 def _refuse_shape(name: str, expected: str, array: np.ndarray) -> None:
-    raise ValueError(f"{name} has to be an array of shape {expected}; its shape is {array.shape}")
+    raise ValueError(f"{name} must be an array of shape {expected}; its shape is {array.shape}")
 
 
 def _given(mesh: Any, faces: Any) -> Tuple[Any, List[Any]]:
@@ -77,9 +77,9 @@ def _given(mesh: Any, faces: Any) -> Tuple[Any, List[Any]]:
         points = getattr(mesh, "points", None)
     if points is None or not hasattr(mesh, "faces"):
         raise TypeError(
-            f"a mesh is two arrays, V and F, or an object with vertices or points and faces; "
-            f"this is of type {type(mesh).__name__}"
-            + (", and read() makes arrays of a file" if isinstance(mesh, (str, os.PathLike)) else "")
+            f"a mesh must be two arrays, V and F, or an object with vertices or points and faces, "
+            f"not of type {type(mesh).__name__}"
+            + ("; read() returns the arrays of a file" if isinstance(mesh, (str, os.PathLike)) else "")
         )
     corners = np.asarray(mesh.faces)
     return points, [corners if corners.ndim == 2 else _faces_of_rows(corners)]
@@ -93,7 +93,7 @@ def _faces_of_cells(cells: Any) -> List[Any]:
     }
     others = sorted(set(named).difference(_faces, _no_faces))
     if others:
-        raise MeshError(f"the mesh has cells that are no triangles: {', '.join(others)}")
+        raise MeshError(f"the mesh has cells that are neither triangles nor quads: {', '.join(others)}")
     faces = [named[kind] for kind in _faces if kind in named]
     if not faces:
         raise MeshError("the mesh has no faces")
@@ -103,5 +103,5 @@ def _faces_of_cells(cells: Any) -> List[Any]:
 def _faces_of_rows(rows: np.ndarray) -> np.ndarray:
     corners = int(rows[0]) if rows.size > 0 else 3
     if corners < 3 or rows.size % (corners + 1) != 0 or np.any(rows[:: corners + 1] != corners):
-        raise MeshError("the faces of the mesh have different numbers of corners; triangulate it first")
+        raise MeshError("the faces of the mesh have different numbers of corners; cut them into triangles first")
     return rows.reshape(-1, corners + 1)[:, 1:]

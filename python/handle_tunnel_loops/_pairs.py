@@ -1,4 +1,4 @@
-"""The table of the pairs of loops: columns of one dimension, some of which are known together, too."""
+"""The table of the pairs of loops: columns of one dimension, some of which can be taken together."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 _xyz = "xyz"
 
-# What is a vector or a box in one, by the columns that it is made of.
+# Vectors and boxes, by the columns that they consist of.
 _together: Dict[str, np.ndarray] = {
     "centre": np.array([f"centre_{x}" for x in _xyz]),
     "box": np.array([[f"{x}{end}" for x in _xyz] for end in ("min", "max")]),
@@ -97,7 +97,7 @@ _most_shown = 20
 
 
 def html_table(title: str, table: PairTable) -> str:
-    """The first rows, and how many more there are."""
+    """The first rows, and the number of the others."""
     rest = len(table) - _most_shown
     return "\n".join(
         [

@@ -1,4 +1,4 @@
-"""Pictures and pages of meshes with what was found on them."""
+"""Pictures and pages of meshes, with results."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def picture(
     """
     F, L, path = _sorted_out(F, L, path)
     if path is not None and not os.fsdecode(path).lower().endswith(".png"):
-        raise ValueError(f"a picture is written in PNG: its name ends in .png, not {path!r}")
+        raise ValueError(f"pictures are PNG files: path must end in .png, not {path!r}")
     if path is None:
         return _drawn(V, F, L, size)
     _draw(_absolute(path), V, F, L, size)
@@ -52,13 +52,13 @@ def html(V: Any, F: Any = None, L: Any = None, path: Any = None, *, title: str =
     F, L, path = _sorted_out(F, L, path)
     kind, record = _drawable(L)
     if path is None:
-        raise TypeError('html() writes a file, and path, its name, is missing: html(V, F, L, "loops.html")')
+        raise TypeError('html() writes a file, but path, its name, is missing: html(V, F, L, "loops.html")')
     title = word("title", title).encode("utf-8", "backslashreplace").decode("utf-8")
     computed("html", None, _core.page, _absolute(path), *arrays(V, F), kind, record, title)
 
 
 def _absolute(path: Any) -> bytes:
-    """So that no name means the standard output; as bytes, as names need not be text."""
+    """So that no name means standard output; as bytes, because names need not be text."""
     return os.fsencode(os.path.abspath(os.fsdecode(path)))
 
 
@@ -67,14 +67,14 @@ def _is_removal(L: Any) -> bool:
 
 
 def _sorted_out(F: Any, L: Any, path: Any) -> Tuple[Any, Any, Any]:
-    """What is given where a mesh is one object: the others are one place before theirs."""
+    """If the mesh is one object, the other arguments are one place early: moves them."""
     if isinstance(F, (Loops, CurveSkeleton, ReebGraph)) or _is_removal(F):
         return None, F, L if path is None else path
     return F, L, path
 
 
 def _drawable(L: Any) -> Tuple[str, Dict[str, Any]]:
-    """What the compiled part takes for it: what it is, and its record."""
+    """The kind of a result and its record, as the compiled part takes them."""
     if isinstance(L, CurveSkeleton):
         return "skeleton", Record("the skeleton", L._record)
     if isinstance(L, ReebGraph):
@@ -94,8 +94,8 @@ def _drawable(L: Any) -> Tuple[str, Dict[str, Any]]:
             return "cut", {"edges": edges}
     if not isinstance(L, Loops):
         raise TypeError(
-            f"L has to be what loops() returns, not of type {type(L).__name__}; or what curve_skeleton(), reeb(), "
-            "remove_handles() or cut_edges() does"
+            "L must be a result of loops(), curve_skeleton(), reeb(), remove_handles() or cut_edges(), "
+            f"not of type {type(L).__name__}"
         )
     return "loops", record_of(L)
 
@@ -103,11 +103,11 @@ def _drawable(L: Any) -> Tuple[str, Dict[str, Any]]:
 def _draw(name: bytes, V: Any, F: Any, L: Any, size: Optional[Sequence[int]]) -> None:
     pixels: List[int] = [] if size is None else wholes("size", size, 1)
     if size is not None and len(pixels) != 2:
-        raise ValueError("size is a width and a height in pixels")
+        raise ValueError("size must be a width and a height in pixels")
     kind, record = _drawable(L)
     try:
         computed("picture", None, _core.picture, name, *arrays(V, F), kind, record, pixels)
-    except ValueError as error:  # of options of the program, in words of Python
+    except ValueError as error:  # about an option of the tool: name the parameter
         raise type(error)(str(error).replace("--size", "size")) from None
 
 
@@ -120,7 +120,7 @@ def _drawn(V: Any, F: Any, L: Any, size: Optional[Sequence[int]]) -> bytes:
 
 
 def html_picture(V: Any, F: Any, L: Loops) -> str:
-    """Of what is quickly drawn; nothing where there can be none, as the arrays were changed, say."""
+    """Empty if it would take long, or if it cannot be drawn, for example because the arrays were changed."""
     if not _core.has_pictures or len(F) > _most_faces:
         return ""
     try:

@@ -1,4 +1,4 @@
-"""What may be given as ``progress``."""
+"""What can be passed as ``progress``."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any, Callable, Iterator, Optional
 
 @contextmanager
 def told(progress: Any, what: str) -> Iterator[Optional[Callable[[float], Any]]]:
-    """The callable that is told a fraction: the one given, or the bar of tqdm for ``True``."""
+    """The callable that gets a fraction: the given one, or the bar of tqdm for ``True``."""
     if progress is None or progress is False:
         yield None
     elif progress is not True:
         if not callable(progress):
-            raise TypeError("progress is True, None or a callable that takes a number from 0 to 1")
+            raise TypeError("progress must be True, None or a callable that takes a number from 0 to 1")
         yield progress
     else:
         try:
@@ -30,7 +30,7 @@ def _advance(bar: Any, fraction: float) -> None:
 
 
 def part(callback: Any, begin: float, end: float) -> Any:
-    """What is told of a part of something that is told to ``callback``."""
+    """A callable for a part of a computation that reports to ``callback``."""
     if callback is None:
         return None
     return lambda fraction: callback(begin + (end - begin) * fraction)

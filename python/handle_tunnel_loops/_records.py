@@ -1,4 +1,4 @@
-"""What the compiled part tells, and answers that are made of it: read with care, and compared by content."""
+"""The records of the compiled part, and results made from them, which are compared by content."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 
 class Record(Dict[str, Any]):
-    """A record that says which part it lacks, as one that was changed or half copied does."""
+    """A record with an error that names a missing part, for example after it was changed by hand."""
 
     def __init__(self, name: str, parts: Dict[str, Any]):
         super().__init__(
@@ -18,13 +18,13 @@ class Record(Dict[str, Any]):
         self._name = name
 
     def __missing__(self, key: str) -> Any:
-        raise ValueError(f"the record of {self._name} is not whole: it has no {key!r}")
+        raise ValueError(f"the record of {self._name} is incomplete: it has no {key!r}")
 
 
 class Comparable:
-    """Answers are equal if all in them is: arrays number by number, where NaN equals NaN.
+    """Results are equal if everything in them is: arrays number by number, where NaN equals NaN.
 
-    Those that may be changed have no hash, as Python has it; the others say what theirs is of.
+    Results that can be changed have no hash, as usual in Python; the others define one.
     """
 
     def __eq__(self, other: object) -> Any:

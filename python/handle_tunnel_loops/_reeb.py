@@ -103,7 +103,7 @@ class ReebGraph(Comparable):
             return len(rows)
 
         def add_arc(arc: int, start: int, parent: int) -> int:
-            """All points but the first; returns the node at the other end, or -1 if it was there."""
+            """All points except the first; returns the node at the other end, or -1 if it was already written."""
             is_up = int(self.arcs[arc, 0]) == start
             line, radii = self.polylines[arc], self.radii[arc]
             if not is_up:
@@ -173,13 +173,13 @@ def reeb(
     starts = vertices("sources", sources)
     shortest = real_or_none("shortest_arc", shortest_arc)
     if shortest is None or not 0 <= shortest < float("inf"):
-        raise ValueError(f"shortest_arc cannot be {shortest_arc}")
+        raise ValueError(f"shortest_arc cannot be {shortest_arc}: it must be finite, and 0 or larger")
     if f is not None:
         if starts:
-            raise ValueError("sources are of a front, which plays no part where f is given")
+            raise ValueError("sources and f cannot be given together: f replaces the front that starts at sources")
         f = np.ascontiguousarray(numbers("f", f), dtype=float)
         if f.shape != (len(points),):
-            raise ValueError(f"f has to be an array of {len(points)} numbers, one for each vertex")
+            raise ValueError(f"f must be an array of {len(points)} numbers, one for each vertex")
     return ReebGraph(
         computed(
             "reeb",

@@ -128,7 +128,7 @@ def curve_skeleton(
     points, triangles = arrays(V, F)
     limb = real_or_none("shortest_limb", shortest_limb)
     if limb is None or limb == float("inf"):
-        raise ValueError(f"shortest_limb cannot be {shortest_limb}")
+        raise ValueError(f"shortest_limb cannot be {shortest_limb}: it must be finite, and 0 or larger")
     return CurveSkeleton(
         computed(
             "curve_skeleton",

@@ -1,4 +1,4 @@
-"""Where meshes come from: files, generators, and arrays that are no surface yet."""
+"""Sources of meshes: files, generators, and arrays that are not a surface yet."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._arguments import whole, word
 from ._meshes import arrays, soup
 from ._waiting import computed
 
-# What the compiled part says of options of the program, and what they are here.
+# Options of the tool in messages of the compiled part, and their names here.
 _options = {
     "--triangulate": "triangulate=True",
     "--repair": "repair=True",
@@ -77,7 +77,7 @@ def write(path: "Union[str, bytes, os.PathLike[str]]", V: Any, F: Any = None) ->
     """
     name = os.fsdecode(path)
     if name == "-":
-        raise ValueError("path is the name of a file, which - is not here")
+        raise ValueError("path must be the name of a file; - does not mean standard output here")
     computed("write", None, _core.write, name, *arrays(V, F))
 
 

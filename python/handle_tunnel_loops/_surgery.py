@@ -1,4 +1,4 @@
-"""Meshes that are changed, or cut."""
+"""Removal of handles, and cutting."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def remove_handles(
     """
     methods = {}
     if isinstance(pairs, Mapping):
-        methods = {n: word("pairs", way, get_args(Way)) for n, way in pairs.items() if way is not None}
+        methods = {n: word("each way in pairs", way, get_args(Way)) for n, way in pairs.items() if way is not None}
         pairs = list(pairs)
     lengths = {"shorter_than": shorter_than, "necks": necks, "channels": channels}
     chosen: Dict[str, Any] = dict(
@@ -98,13 +98,13 @@ def remove_handles(
     if len(given) > 1:
         raise ValueError(f"{' and '.join(given)} cannot be given together")
     if pairs is not None and loops is None:
-        raise ValueError("pairs are numbers of loops: give these, too")
+        raise ValueError("pairs requires loops: the numbers are those of its pairs")
     chosen.update(by=word("by", by, get_args(Way)), methods=methods, force=bool(force))
     mesh, number = arrays(V, F), threads_of(threads)
     with told(progress, "remove") as callback:
         begin = 0.0
         if loops is None:
-            begin = 0.8  # the most of the time
+            begin = 0.8  # most of the time
             loops = loops_of_mesh(*mesh, threads=number, progress=part(callback, 0, begin))
         record = record_of(loops, "loops")
         for name, length in lengths.items():
@@ -117,18 +117,18 @@ def remove_handles(
 
 def _range(bores: Any) -> List[float]:
     if not isinstance(bores, Sequence) or isinstance(bores, str) or len(bores) != 2:
-        raise ValueError("bores is two diameters, each of which may be None: (least, largest)")
+        raise ValueError("bores must be two diameters, (least, largest); each can be None")
     least, largest = (real_or_none("bores", diameter) for diameter in bores)
     limits = [0.0 if least is None else least, float("inf") if largest is None else largest]
     if not limits[0] <= limits[1]:
-        raise ValueError("bores has the least diameter first, then the largest")
+        raise ValueError("bores must have the least diameter first, then the largest")
     return limits
 
 
 def _corners(box: Any) -> List[float]:
     corners = numbers("box", box).astype(float)
     if corners.shape != (2, 3) or not np.all(corners[0] <= corners[1]):
-        raise ValueError("box is two corners, the lower one first: ((x, y, z), (x, y, z))")
+        raise ValueError("box must be two corners, the lower one first: ((x, y, z), (x, y, z))")
     return corners.ravel().tolist()
 
 
@@ -187,7 +187,7 @@ def cut_edges(
 def _cut_options(cones: Any, cut_spheres: Any, avoid: Any) -> Dict[str, Any]:
     edges = numbers("avoid", avoid, "integers")
     if edges.size > 0 and (edges.ndim != 2 or edges.shape[1] != 2):
-        raise ValueError(f"avoid has to be an array of shape (k, 2), edges; its shape is {edges.shape}")
+        raise ValueError(f"avoid must be an array of shape (k, 2), pairs of vertices; its shape is {edges.shape}")
     return dict(cones=vertices("cones", cones), cut_spheres=bool(cut_spheres), avoid=edges.tolist())
 
 

@@ -60,7 +60,7 @@ def survey(
     takes too much time or memory, only its own row fails, and ``error`` gives the reason.
     """
     if isinstance(paths, (str, bytes, os.PathLike)):
-        raise TypeError("paths are several: a list of them")
+        raise TypeError(f"paths must be a list of paths, not a single path: [{paths!r}]")
     wanted = list(map(os.fsdecode, paths))
     compute = functools.partial(
         row_of,
@@ -89,7 +89,7 @@ def survey(
 
 
 def row_of(path: str, options: Dict[str, Any]) -> Row:
-    """What is known of one mesh; never throws on account of the mesh."""
+    """The row of one mesh; never raises an error because of the mesh."""
     row: Row = dict.fromkeys(COLUMNS)
     row["mesh"] = path
     start = time.monotonic()
@@ -120,11 +120,12 @@ def row_of(path: str, options: Dict[str, Any]) -> Row:
         row["tunnel_length"] = sum(loop.length for loop in answer.tunnels)
     except _core.Interrupted:
         if limit is None:
-            raise  # Python is about to end
+            raise  # Python is about to exit
         row["error"] = f"it takes longer than {limit:g} s"
     except MemoryError:
-        row["error"] = f"it takes more memory than there is, or than {options['memory']} bytes"
-    except Exception as error:  # whatever it is, the other meshes go on
+        most = options["memory"]
+        row["error"] = "it takes more memory than is available" + (f", or than {most} bytes" if most else "")
+    except Exception as error:  # of any kind: the other meshes are computed
         row["error"] = str(error) or type(error).__name__
     row["seconds"] = time.monotonic() - start
     return row
@@ -132,7 +133,7 @@ def row_of(path: str, options: Dict[str, Any]) -> Row:
 
 @contextlib.contextmanager
 def _memory_limit(size: Optional[int]) -> Iterator[None]:
-    """Lets this process have no more address space."""
+    """Limits the address space of this process."""
     if size is None or not sys.platform.startswith("linux"):
         yield
         return

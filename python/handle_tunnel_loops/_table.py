@@ -1,4 +1,4 @@
-"""Files of rows, which a survey that was stopped goes on with."""
+"""Files of rows, with which a stopped survey can be continued."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import Any, Callable, Dict, List, Optional, Set
 
 try:
     import fcntl
-except ImportError:  # of Windows; nothing is locked there
+except ImportError:  # on Windows; files are not locked there
     fcntl = None  # type: ignore[assignment]
 
 Row = Dict[str, Any]
 
-#: what is known of each mesh; sizes are those of `Loops.table`, the smallest first
+#: the columns; sizes are those of `Loops.table`, the smallest first
 COLUMNS = [
     "mesh",
     "vertices",
@@ -35,7 +35,7 @@ _locks: Set[int] = set()
 
 
 def _locked(path: str) -> int:
-    """A handle of a file that this process alone writes; -1 where there are no locks."""
+    """A handle of a file that only this process writes; -1 if there are no locks."""
     if fcntl is None:
         return -1
     handle = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
@@ -44,7 +44,7 @@ def _locked(path: str) -> int:
         is_free = os.path.samestat(os.fstat(handle), os.stat(path))  # or else it was replaced
     except BlockingIOError:
         is_free = False
-    except OSError:  # of a file system that has no locks
+    except OSError:  # a file system without locks
         is_free = True
     if not is_free:
         os.close(handle)
@@ -60,7 +60,7 @@ def _unlock(handle: int) -> None:
 
 
 def _leave_to_parent() -> None:
-    """A process that was forked may outlive the survey, and must not hold its file."""
+    """A forked process can outlive the survey, and must not hold its file."""
     for handle in list(_locks):
         _unlock(handle)
 
@@ -70,10 +70,10 @@ if hasattr(os, "register_at_fork"):
 
 
 class Table:
-    """A file of rows, one line each; a last line that was not ended is dropped."""
+    """A file of rows, one line each; an incomplete last line is dropped."""
 
     def __init__(self, path: Optional[str], is_dropped: Optional[Callable[[Row], bool]]):
-        """None is no file. Rows that are dropped, or all for None, are taken out."""
+        """Without a path, no file. Rows for which ``is_dropped`` holds are removed; all rows if it is None."""
         self.rows: List[Row] = []
         self._path = path
         self._is_dropped = is_dropped
@@ -143,17 +143,17 @@ class Table:
         text = whole.decode("utf-8", "surrogateescape")
         expected = self.header() or '{"mesh": '
         if not text and not (expected.startswith(rest) or rest.startswith(expected)):
-            raise ValueError(f"{path} is no table of survey()")
+            raise ValueError(f"{path} is not a table of survey()")
         try:
             rows = self.parsed(text)
         except (KeyError, TypeError, ValueError) as error:
-            raise ValueError(f"{path} is no table of survey()") from error
+            raise ValueError(f"{path} is not a table of survey()") from error
         if rest:
             os.truncate(path, len(whole))
         return rows
 
     def _replace(self, path: str) -> None:
-        """At once, so that nothing is lost, and without giving it up meanwhile."""
+        """In one step, so that nothing is lost, and without releasing the lock."""
         new = path + ".new"
         lock = _locked(new)
         with self._opened(new, "w") as file:
@@ -168,7 +168,7 @@ class _Jsonl(Table):
     def parsed(self, text: str) -> List[Row]:
         rows = [json.loads(line) for line in text.split("\n") if line]
         for row in rows:
-            row["mesh"]  # or else it is none
+            row["mesh"]  # every row has it
         return rows
 
     def line(self, row: Row) -> str:
@@ -195,7 +195,7 @@ class _Csv(Table):
     def parsed(self, text: str) -> List[Row]:
         if text and not text.startswith(self.header()):
             raise ValueError("another header")
-        csv.field_size_limit(max(csv.field_size_limit(), len(text)))  # of genus 10,000 one is long
+        csv.field_size_limit(max(csv.field_size_limit(), len(text)))  # a row of genus 10,000 is long
         rows: List[Row] = []
         for cells in csv.DictReader(io.StringIO(text, newline="")):
             row: Row = {name: cells[name] or None for name in COLUMNS}
@@ -216,10 +216,10 @@ class _Csv(Table):
 
 
 class _Parquet(_Jsonl):
-    """Kept as lines of JSON beside it until it is whole."""
+    """Written at the end; until then, rows are kept as lines of JSON beside it."""
 
     def __init__(self, path: str, is_dropped: Optional[Callable[[Row], bool]]):
-        import pyarrow  # noqa: F401  says at once that it is missing
+        import pyarrow  # noqa: F401  fails at once if it is missing
 
         self._parquet = path
         self._lines = path + ".jsonl"
@@ -242,5 +242,5 @@ def table(out: Any, is_dropped: Optional[Callable[[Row], bool]]) -> Table:
     kinds = {".csv": _Csv, ".jsonl": _Jsonl, ".parquet": _Parquet}
     extension = os.path.splitext(path)[1].lower()
     if extension not in kinds:
-        raise ValueError(f"out ends in .csv, .jsonl or .parquet, not {path!r}")
+        raise ValueError(f"out must end in .csv, .jsonl or .parquet, not {path!r}")
     return kinds[extension](path, is_dropped)

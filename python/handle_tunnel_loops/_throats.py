@@ -1,4 +1,4 @@
-"""All narrow places."""
+"""Throats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Computations in other threads, so that this one sees Ctrl-C and tells how far they are."""
+"""Computations in other threads, so that this thread sees Ctrl-C and can report the progress."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from typing import Any, Callable, Dict, List, Tuple
 from . import _core
 from ._progress import told
 
-# Threads are kept for what comes next: the allocator of TBB loses some memory with each one that ends.
-# What is done with these two is done at once, as Python's own lock has it.
+# Threads are kept for the next computation: the allocator of TBB loses some memory with each that ends.
+# Each operation on these two is atomic, thanks to Python's own lock.
 _Task = Tuple["Future[Any]", _core.Watch, Callable[..., Any], Tuple[Any, ...]]
 _idle: "List[SimpleQueue[_Task]]" = []
 _running: "Dict[Future[Any], _core.Watch]" = {}
@@ -25,10 +25,10 @@ _seconds_to_end = 10.0
 
 
 def computed(what: str, progress: Any, function: Callable[..., Any], *arguments: Any) -> Any:
-    """What a function of the compiled part returns for these arguments and a `Watch`.
+    """Calls a function of the compiled part with these arguments and a `Watch`, and returns its result.
 
-    What ``progress`` raises, or Ctrl-C, is raised here, and so is `Interrupted` if it returns False. The
-    computation is asked to end then; one that never asks back ends when it is done.
+    Raises what ``progress`` raises, or Ctrl-C, and `Interrupted` if it returns False. The computation is then
+    asked to stop; one that does not check for that ends when it is done.
     """
     future: "Future[Any]" = Future()
     watch = _core.Watch()
@@ -63,8 +63,8 @@ def _begin(task: "_Task") -> None:
         tasks = SimpleQueue()
         try:
             threading.Thread(target=_work, args=(tasks,), daemon=True).start()
-        except RuntimeError as error:  # what a thread lacks is memory
-            raise MemoryError("there is no memory for a thread") from error
+        except RuntimeError as error:  # the usual reason is memory
+            raise MemoryError("not enough memory to start a thread") from error
     tasks.put(task)
 
 
@@ -83,7 +83,7 @@ def _compute(
     _running[future] = watch
     try:
         if _is_ending:
-            raise _core.Interrupted("Python is about to end")
+            raise _core.Interrupted("Python is about to exit")
         answer = function(*arguments, watch)
     except BaseException as error:
         _finish(tasks, future)
@@ -92,18 +92,18 @@ def _compute(
         _finish(tasks, future)
         future.set_result(answer)
     finally:
-        del future  # an error would know it, and it the error
+        del future  # it and the error would refer to each other
 
 
 def _finish(tasks: "SimpleQueue[_Task]", future: "Future[Any]") -> None:
-    """Before others know, so that who asks next finds this thread."""
+    """Before the result is set, so that the next call finds this thread idle."""
     del _running[future]
     _idle.append(tasks)
 
 
 @atexit.register
 def _end() -> None:
-    """No thread should come back to an interpreter that has ended. Some wait for a file, for ever."""
+    """No thread may return to an interpreter that has ended. Some wait for a file forever."""
     global _is_ending
     _is_ending = True
     running = dict(_running)
@@ -113,7 +113,7 @@ def _end() -> None:
 
 
 def _forget() -> None:
-    """In a process that was forked: the threads are not there."""
+    """In a forked process, which does not have the threads."""
     _idle.clear()
     _running.clear()
 

@@ -1,8 +1,8 @@
-"""An add-on for Blender, 3.4 or later, over the module handle_tunnel_loops: the tab "Handles" of the sidebar (N).
+"""An add-on for Blender 3.4 or later that uses the Python module handle_tunnel_loops: the tab Handles of the sidebar (N).
 
-Edit > Preferences > Add-ons > Install takes this file. Lengths are those of the world, in the units of the scene:
-objects may be scaled. Noise, removal and seams are about the mesh as it is edited, without modifiers; curves and
-armatures are of what modifiers make of it, unless that is switched off.
+Install this file with Edit > Preferences > Add-ons > Install. Lengths are in world space, in the units of the scene, so
+the scale of an object counts. Noise, removal and seams use the edited mesh, without modifiers; curves and armatures use
+the mesh with its modifiers, unless you switch that off.
 """
 
 import glob
@@ -20,13 +20,13 @@ bl_info = {
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
     "location": "3D View > Sidebar > Handles",
-    "description": "Finds handles of meshes, removes those that are noise, marks seams, makes curves and armatures",
+    "description": "Finds handles of meshes, removes noise, marks seams, and makes curves and armatures",
     "category": "Mesh",
 }
 
 
 class Refusal(Exception):
-    """A sentence for the user."""
+    """A message for the user."""
 
 
 # ---- The module
@@ -37,7 +37,7 @@ class Preferences(bpy.types.AddonPreferences):
 
     folder: bpy.props.StringProperty(
         name="Folder of the module", subtype="DIR_PATH",
-        description="The folder in which handle_tunnel_loops is, the module of Python, if Blender does not find it")
+        description="The folder that contains the Python module handle_tunnel_loops, if Blender does not find it")
 
     def draw(self, context):
         self.layout.prop(self, "folder")
@@ -49,11 +49,11 @@ class Preferences(bpy.types.AddonPreferences):
 
 
 def folders_of_module():
-    """What the preferences say; else beside this file, as both are installed."""
+    """The folder in the preferences, and the places where module and add-on are installed together."""
     addon = bpy.context.preferences.addons.get(__name__)
     if addon is not None and addon.preferences is not None and addon.preferences.folder:
         folder = os.path.normpath(bpy.path.abspath(addon.preferences.folder))
-        # Who names the package itself means the folder that it is in.
+        # If it is the folder of the package itself, take the one above.
         yield os.path.dirname(folder) if os.path.basename(folder) == "handle_tunnel_loops" else folder
     here = os.path.abspath(__file__)
     above = [os.path.dirname(here)]
@@ -74,8 +74,8 @@ def module():
             import handle_tunnel_loops
         except ImportError as error:
             raise Refusal(
-                f"The Python module handle_tunnel_loops is not there for Python {sys.version_info[0]}.{sys.version_info[1]} "
-                f"({error}): install it by `cmake --install`, and name its folder in the preferences of this add-on"
+                f"Python {sys.version_info[0]}.{sys.version_info[1]} does not find the module handle_tunnel_loops ({error}): "
+                "install it with `cmake --install`, and enter its folder in the preferences of this add-on"
             ) from None
     return handle_tunnel_loops
 
@@ -84,13 +84,13 @@ def module():
 
 
 class Surface:
-    """The triangles of a mesh where they are in the world, and of which polygons they are. Faces of an object that is
-    mirrored are turned, so that they look outwards."""
+    """The triangles of a mesh in world space, and the polygons that they belong to. Faces of a mirrored object are
+    flipped, so that they face outwards."""
 
     def __init__(self, mesh, matrix):
         self.matrix = matrix.copy()
         if abs(matrix.determinant()) < 1e-30:
-            raise Refusal("The object is scaled to nothing in some direction")
+            raise Refusal("The object is scaled to zero in some direction")
         if len(mesh.polygons) == 0:
             raise Refusal("The mesh has no faces")
         mesh.calc_loop_triangles()
@@ -109,14 +109,14 @@ class Surface:
         self.diagonal = float(np.linalg.norm(np.ptp(self.V[np.unique(self.F)], axis=0)))
 
     def diagonals(self, mesh):
-        """Edges of triangles that are no edges of the mesh."""
+        """Edges of triangles that are not edges of the mesh."""
         count = len(mesh.vertices)
         sides = edge_numbers(self.F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), count)
         return np.stack(np.divmod(np.setdiff1d(sides, numbers_of_edges(mesh)), count), axis=1)
 
 
 def edge_numbers(ends, count):
-    """A number for each pair of vertices, in whichever order."""
+    """A number for each pair of vertices, regardless of their order."""
     return np.sort(ends.astype(np.int64), axis=1) @ [count, 1]
 
 
@@ -127,7 +127,7 @@ def numbers_of_edges(mesh):
 
 
 class ObjectMode:
-    """Leaves edit mode, which keeps what is edited, and comes back to it."""
+    """Leaves edit mode, which saves the edited mesh, and returns to it."""
 
     def __init__(self, obj):
         self.mode = obj.mode
@@ -149,7 +149,7 @@ def shorter(pair):
 
 
 class Operator(bpy.types.Operator):
-    """Says its errors as sentences, changes nothing then, and shows how far it is."""
+    """Shows its progress; on an error, shows a message and changes nothing."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -157,10 +157,10 @@ class Operator(bpy.types.Operator):
     def poll(cls, context):
         obj = context.active_object
         if obj is None or obj.type != "MESH":
-            cls.poll_message_set("The active object is no mesh")
+            cls.poll_message_set("The active object is not a mesh")
             return False
         if obj.mode not in ("OBJECT", "EDIT"):
-            cls.poll_message_set("This is for object mode and edit mode")
+            cls.poll_message_set("Only available in object mode and edit mode")
             return False
         return True
 
@@ -185,25 +185,25 @@ class Operator(bpy.types.Operator):
 
 
 def words_of(error):
-    """What the module says of a mesh, with advice that is of use here."""
+    """The message of the module about a mesh, with advice for Blender."""
     if type(error).__name__ != "MeshError":
         return str(error)
     lines = [line.strip() for line in str(error).splitlines() if not line.startswith("repair()")]
-    return "; ".join([*lines, "see Mesh > Clean Up, Mesh > Normals > Recalculate Outside, and Select > Select All by Trait"])
+    return "; ".join([*lines, "try Mesh > Clean Up, Mesh > Normals > Recalculate Outside, and Select > Select All by Trait"])
 
 
 class Limit:
-    """How long noise is at most."""
+    """The limit below which handles are noise."""
 
     unit: bpy.props.EnumProperty(
-        name="Limit", items=[("PERCENT", "Percentage", "Of the diagonal of the bounding box"),
-                             ("LENGTH", "Length", "In the unit of the scene")], default="PERCENT")
+        name="Limit", items=[("PERCENT", "Percentage", "A percentage of the diagonal of the bounding box"),
+                             ("LENGTH", "Length", "A length in the unit of the scene")], default="PERCENT")
     percent: bpy.props.FloatProperty(
         name="Shorter Than", default=3, min=0, max=100, precision=2, subtype="PERCENTAGE",
-        description="Handles with a loop that is shorter are noise")
+        description="Handles with a loop shorter than this are noise")
     length: bpy.props.FloatProperty(
         name="Shorter Than", default=0.1, min=0, subtype="DISTANCE",
-        description="Handles with a loop that is shorter are noise")
+        description="Handles with a loop shorter than this are noise")
 
     def limit(self, surface):
         return self.length if self.unit == "LENGTH" else self.percent / 100 * surface.diagonal
@@ -214,14 +214,14 @@ class Limit:
 
 
 class Triangles:
-    """Which triangles a loop runs through, and around which vertices."""
+    """The triangles that a loop runs through."""
 
     def __init__(self, F):
         self.order = np.argsort(F, axis=None, kind="stable")
         self.starts = np.searchsorted(F.ravel()[self.order], np.arange(F.max() + 2))
 
     def along(self, loop):
-        """A place is at a vertex, or on an edge; two that follow each other lie on a triangle."""
+        """Each place is at a vertex or on an edge; consecutive places lie on a common triangle."""
         places = [
             {u} if ratio <= 0 else {v} if ratio >= 1 else {u, v}
             for (u, v), ratio in zip(loop.edges.tolist(), loop.ratios.tolist())
@@ -233,13 +233,13 @@ class Triangles:
 
 
 def noise_of(htl, surface, limit, told):
-    """The loops, and the numbers of the pairs with a loop that is shorter."""
+    """The loops, and the numbers of the pairs with a loop shorter than the limit."""
     L = htl.loops(surface.V, surface.F, progress=told)
     return L, [i for i, pair in enumerate(L) if shorter(pair).length < limit]
 
 
 def select(mesh, polygons, is_extending):
-    """Polygons, with their edges and vertices, which are shown if they were hidden."""
+    """Selects polygons with their edges and vertices, and unhides them."""
     if not is_extending:
         for elements in (mesh.polygons, mesh.edges, mesh.vertices):
             elements.foreach_set("select", np.zeros(len(elements), dtype=bool))
@@ -252,12 +252,12 @@ def select(mesh, polygons, is_extending):
 
 
 class HTL_OT_select_noise(Limit, Operator):
-    """Select the faces that short loops run through, one loop for each handle that is noise, in edit mode"""
+    """Select the faces along the short loop of each noise handle, in edit mode"""
 
     bl_idname = "mesh.htl_select_noise"
     bl_label = "Select Noise Handles"
 
-    extend: bpy.props.BoolProperty(name="Extend", description="Keep what is selected")
+    extend: bpy.props.BoolProperty(name="Extend", description="Keep the current selection")
 
     def draw(self, context):
         self.draw_limit(self.layout)
@@ -277,26 +277,26 @@ class HTL_OT_select_noise(Limit, Operator):
         polygons = {int(surface.polygons[f]) for i in noise for f in triangles.along(shorter(L[i]))}
         select(mesh, polygons, self.extend)
         context.tool_settings.mesh_select_mode = (False, False, True)
-        return f"Handles that are noise: {len(noise)} of {L.genus}; faces that are selected: {len(polygons)}"
+        return f"Noise handles: {len(noise)} of {L.genus}; faces along their loops: {len(polygons)}"
 
 
 def place_on_rim(corners, point):
-    """The side of a triangle that a point lies on, by its first corner, and how far it is along it."""
+    """The side of a triangle that a point lies on, by its first corner, and the position along it."""
     sides, ways = np.roll(corners, -1, axis=0) - corners, point - corners
     k = int(np.argmin(np.linalg.norm(np.cross(sides, ways), axis=1) / np.maximum(np.linalg.norm(sides, axis=1), 1e-300)))
     return k, float(np.clip(ways[k] @ sides[k] / max(sides[k] @ sides[k], 1e-300), 0, 1))
 
 
 def interpolate(loop, face):
-    """Gives a corner what a face has at its place."""
+    """Gives a corner the data of a face, interpolated at its position."""
     try:
         loop.copy_from_face_interp(face, False, False)
-    except TypeError:  # Blender 3.4 takes all of it as one argument
+    except TypeError:  # Blender 3.4 takes a tuple
         loop.copy_from_face_interp((face, False, False))
 
 
 class Polygons:
-    """Makes the mesh of a removal: what stays is that of Blender, with all its data."""
+    """Makes the mesh of a removal; unchanged polygons keep all their data."""
 
     def __init__(self, mesh, surface, V, F, face_origin, report):
         self.bm = bmesh.new()
@@ -313,7 +313,7 @@ class Polygons:
         self.F = F[:, ::-1] if surface.is_mirrored else F
 
     def change(self):
-        """How many faces are new, and how many polygons are gone."""
+        """Changes the mesh; returns the numbers of new triangles and of removed polygons."""
         gone = [face for face, is_kept in zip(self.old_faces, self.is_kept) if not is_kept]
         corners = {vertex for face in gone for vertex in face.verts}
         edges = {edge for face in gone for edge in face.edges}
@@ -328,7 +328,7 @@ class Polygons:
         return len(made), len(gone)
 
     def make_vertices(self):
-        """Old ones are taken where they are; new ones have what is interpolated along an edge of the triangles."""
+        """Old vertices are reused; new ones get data interpolated along an edge of the triangles."""
         to_object = self.surface.matrix.inverted()
         places = self.places_of_new_vertices()
         vertices = {}
@@ -344,7 +344,7 @@ class Polygons:
         return vertices
 
     def places_of_new_vertices(self):
-        """By new vertex of a piece of a triangle: two corners of that, and how far it is from the first to the second."""
+        """For each new vertex of a part of a triangle: two corners of it, and the position between them."""
         places = {}
         for f in self.new_faces[self.parents[self.new_faces] >= 0].tolist():
             corners = self.surface.F[self.face_parent[f]]
@@ -355,8 +355,8 @@ class Polygons:
         return places
 
     def make_face(self, corners, parent):
-        """A piece of a polygon has what the polygon has at its places."""
-        twin = self.bm.faces.get(corners)  # one that is about to go
+        """A part of a polygon gets the data of the polygon, interpolated."""
+        twin = self.bm.faces.get(corners)  # which is about to be removed
         if twin is None:
             face = self.bm.faces.new(corners)
         else:
@@ -373,7 +373,7 @@ class Polygons:
 
     @staticmethod
     def give_materials_to_caps(caps):
-        """Those of neighbors, from the rims inwards."""
+        """The materials of neighbors, from the rims inwards."""
         waiting = set(caps)
         is_going_on = True
         while is_going_on:
@@ -389,7 +389,7 @@ def is_selected_along(mesh, surface, triangles, loop):
 
 
 class HTL_OT_remove_handles(Limit, Operator):
-    """Remove handles: those that are noise, those with a loop through selected faces, the smallest ones, or all"""
+    """Remove noise handles, handles with a loop through selected faces, the smallest handles, or all"""
 
     bl_idname = "mesh.htl_remove_handles"
     bl_label = "Remove Handles"
@@ -397,14 +397,14 @@ class HTL_OT_remove_handles(Limit, Operator):
     which: bpy.props.EnumProperty(
         name="Which",
         items=[("NOISE", "Noise", "Handles with a short loop"),
-               ("SELECTED", "Selected", "Handles with a loop that runs through selected faces only"),
-               ("GENUS", "Down to a Number", "The smallest handles, until so many are left"),
+               ("SELECTED", "Selected", "Handles with a loop that runs only through selected faces"),
+               ("GENUS", "Down to a Number", "The smallest handles, until a given number remains"),
                ("ALL", "All", "All handles")])
-    genus: bpy.props.IntProperty(name="Handles Left", default=0, min=0)
+    genus: bpy.props.IntProperty(name="Handles Left", default=0, min=0, description="The number of handles to keep")
     by: bpy.props.EnumProperty(
         name="By",
-        items=[("smallest-change", "The Smaller Change", "Whatever changes the shape less"),
-               ("cut", "Cutting", "Handles are cut through"), ("fill", "Filling", "Holes are filled")])
+        items=[("smallest-change", "The Smaller Change", "Cut or fill, whichever changes the shape less"),
+               ("cut", "Cutting", "Cut handles through"), ("fill", "Filling", "Fill the holes")])
 
     def draw(self, context):
         self.layout.prop(self, "which")
@@ -428,9 +428,9 @@ class HTL_OT_remove_handles(Limit, Operator):
             polygons.bm.free()
             mesh.update()
         for one in report["refused"]:
-            self.report({"WARNING"}, f"Handle {one['pair']} stays: {one['reason']}")
+            self.report({"WARNING"}, f"Handle {one['pair']} is kept: {one['reason']}")
         removed = report["genus_before"] - report["genus_after"]
-        return f"Handles removed: {removed} of {report['genus_before']}; faces that are gone: {gone}, new triangles: {made}"
+        return f"Handles removed: {removed} of {report['genus_before']}; faces removed: {gone}, new triangles: {made}"
 
     def chosen(self, mesh, surface, L, noise):
         if self.which == "NOISE":
@@ -443,14 +443,14 @@ class HTL_OT_remove_handles(Limit, Operator):
 
 
 class HTL_OT_mark_seams(Operator):
-    """Mark seams along which each part of the mesh opens to one disk, on edges of the mesh as it is"""
+    """Mark edges as seams, so that each part of the mesh unfolds to one disk"""
 
     bl_idname = "mesh.htl_mark_seams"
     bl_label = "Mark Seams"
 
-    clear: bpy.props.BoolProperty(name="Clear", description="Clear the seams that there are")
+    clear: bpy.props.BoolProperty(name="Clear", description="Clear existing seams first")
     through: bpy.props.BoolProperty(
-        name="Through Selected", description="Seams pass through all selected vertices, in edit mode")
+        name="Through Selected", description="Seams pass through all selected vertices")
 
     def work(self, context, obj, htl):
         mesh = obj.data
@@ -474,10 +474,10 @@ class HTL_OT_mark_seams(Operator):
 
 
 class Evaluated:
-    """The surface of an object: with what its modifiers do, or without."""
+    """The surface of an object, with or without its modifiers."""
 
     use_modifiers: bpy.props.BoolProperty(
-        name="Apply Modifiers", default=True, description="Of what modifiers make of the mesh")
+        name="Apply Modifiers", default=True, description="Use the mesh with its modifiers")
 
     def surface(self, context, obj):
         if not self.use_modifiers:
@@ -491,7 +491,7 @@ class Evaluated:
 
 
 def add_object(name, data, obj):
-    """In the collection of an object, with the axes of the world."""
+    """Adds a new object to the collection of an object, in world space."""
     new = bpy.data.objects.new(name, data)
     (obj.users_collection[0] if obj.users_collection else bpy.context.scene.collection).objects.link(new)
     return new
@@ -511,14 +511,14 @@ COLOURS = {"handle": (0.9, 0.3, 0.02), "tunnel": (0.05, 0.25, 0.9), "boundary": 
 
 
 class HTL_OT_loops_to_curves(Evaluated, Operator):
-    """Make curves of the handle loops, the tunnel loops and the boundary curves"""
+    """Make curve objects of the handle loops, the tunnel loops and the boundary curves"""
 
     bl_idname = "object.htl_loops_to_curves"
     bl_label = "Loops to Curves"
 
     thickness: bpy.props.FloatProperty(
         name="Thickness", default=0.3, min=0, subtype="PERCENTAGE", precision=2,
-        description="Of the curves: a percentage of the diagonal of the bounding box")
+        description="Thickness of the curves, as a percentage of the diagonal of the bounding box")
 
     def work(self, context, obj, htl):
         surface = self.surface(context, obj)
@@ -546,14 +546,14 @@ class HTL_OT_loops_to_curves(Evaluated, Operator):
 
 
 def is_within_balls(a, b, centres, radii):
-    """Whether a segment lies in balls, and meets all of them."""
+    """Whether a segment lies in the union of balls, and meets all of them."""
     direction, length = b - a, float(np.linalg.norm(b - a))
     if length == 0:
         return False
     middles = (centres - a) @ direction / length**2
     squares = np.sum((centres - a - np.outer(middles, direction)) ** 2, axis=1)
     if np.any(squares >= radii**2):
-        return False  # the arc goes elsewhere, around a hole, say
+        return False  # the arc goes elsewhere, for example around a hole
     halves = np.sqrt(np.maximum(radii**2 - squares, 0)) / length
     reached = 0.0
     for begin, end in sorted(zip((middles - halves).tolist(), (middles + halves).tolist())):
@@ -564,11 +564,11 @@ def is_within_balls(a, b, centres, radii):
 
 
 def joints_of(points, radii):
-    """The places of an arc at which bones meet: as few as keep each bone within the balls of its part."""
+    """The places of an arc where bones meet: as few as possible such that each bone lies in the balls of its part."""
     joints = [0]
     while joints[-1] < len(points) - 1:
         first, good, step = joints[-1], joints[-1] + 1, 1
-        while first + 2 * step < len(points):  # twice as far as long as that is right
+        while first + 2 * step < len(points):  # doubles the step as long as the bone fits
             if not is_within_balls(points[first], points[first + 2 * step], points[first:first + 2 * step + 1],
                                    radii[first:first + 2 * step + 1]):
                 break
@@ -584,8 +584,8 @@ def joints_of(points, radii):
 
 
 class Tree:
-    """The arcs of a skeleton as a forest: (arc, whether it is run along backwards, the arc that it grows from or -1,
-    whether it ends at a node that was there)."""
+    """The arcs of a skeleton as a forest: (arc, whether it is reversed, its parent arc or -1, whether it ends at a node
+    that was already reached)."""
 
     def __init__(self, skeleton):
         ends = [(int(arc[0]), int(arc[-1])) for arc in skeleton.arcs]
@@ -595,7 +595,7 @@ class Tree:
             around.setdefault(b, []).append(i)
         self.rows, self.number_of_cuts, self.number_of_trees = [], 0, 0
         taken = set()
-        # A tree begins at an end, if it has one, so that one bone moves all of it.
+        # A tree starts at an end, if it has one, so that one bone moves all of it.
         reached = {}
         for root in sorted(around, key=lambda node: (len(around[node]) != 1, -float(skeleton.radii[node]))):
             if root in reached:
@@ -619,17 +619,17 @@ class Tree:
 
 
 class HTL_OT_skeleton_to_armature(Evaluated, Operator):
-    """Make an armature of the curve skeleton: bones in the middle of the solid, with its radii as envelopes"""
+    """Make an armature from the curve skeleton: bones in the middle of the solid, with its radii as envelopes"""
 
     bl_idname = "object.htl_skeleton_to_armature"
     bl_label = "Skeleton to Armature"
 
     shortest_limb: bpy.props.FloatProperty(
         name="Shortest Limb", default=1.2, min=0,
-        description="Limbs that are shorter than so many times the radius of their base are left out")
+        description="Leave out limbs shorter than this many times the radius at their base")
     envelope: bpy.props.FloatProperty(
         name="Envelope", default=0.25, min=0,
-        description="How far bones reach beyond the radii, as a part of these: the distance of envelopes")
+        description="Envelope distance of the bones, as a fraction of the radii")
 
     def work(self, context, obj, htl):
         surface = self.surface(context, obj)
@@ -637,15 +637,15 @@ class HTL_OT_skeleton_to_armature(Evaluated, Operator):
         if not skeleton.arcs:
             raise Refusal("The skeleton has no arcs")
         if not skeleton.certificate:
-            self.report({"WARNING"}, f"Not proved to be in the middle of the solid: {skeleton.certificate.failure}")
+            self.report({"WARNING"}, f"The skeleton is not certified: {skeleton.certificate.failure}")
         tree = Tree(skeleton)
         armature = bpy.data.armatures.new(f"{obj.name} skeleton")
         armature.display_type = "ENVELOPE"
         rig = add_object(armature.name, armature, obj)
         rig.show_in_front = True
         number = self.make_bones(context, rig, skeleton, tree)
-        return (f"Bones: {number}, along arcs: {len(skeleton.arcs)}, trees: {tree.number_of_trees}; "
-                f"cycles that are cut, where a bone ends at a joint that it does not move with: {tree.number_of_cuts}")
+        return (f"Bones: {number}, arcs: {len(skeleton.arcs)}, trees: {tree.number_of_trees}; "
+                f"cycles that are cut, at a joint to which the last bone is not connected: {tree.number_of_cuts}")
 
     def make_bones(self, context, rig, skeleton, tree):
         active, selected = context.view_layer.objects.active, list(context.selected_objects)

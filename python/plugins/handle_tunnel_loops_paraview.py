@@ -1,11 +1,11 @@
-"""Filters for ParaView over the module handle_tunnel_loops: the menu Filters > Handles.
+"""Filters for ParaView that use the Python module handle_tunnel_loops, in the menu Filters > Handles.
 
-Tools > Manage Plugins > Load New takes this file. In scripts, and in the shell of ParaView,
+Load this file with Tools > Manage Plugins > Load New. In scripts, and in ParaView's Python shell:
 
     import handle_tunnel_loops_paraview
     handle_tunnel_loops_paraview.load(globals())
 
-That is also the way for ParaView 5.11 with Python 3.11, which refuses all plugins in Python before it reads them.
+Use these lines also for ParaView 5.11 with Python 3.11, which refuses all Python plugins before it reads them.
 """
 
 import glob
@@ -16,7 +16,7 @@ import sys
 
 import numpy as np
 
-if not hasattr(inspect, "getargspec"):  # ParaView 5.11 asks for it; Python has it no more since 3.11
+if not hasattr(inspect, "getargspec"):  # ParaView 5.11 uses it; Python 3.11 removed it
     inspect.getargspec = inspect.getfullargspec
 
 from paraview import print_error, print_warning
@@ -31,7 +31,7 @@ paraview_plugin_version = "0.1"
 
 
 def module():
-    """handle_tunnel_loops: where Python looks, or beside this file as both are installed."""
+    """Imports handle_tunnel_loops from where Python looks, or from the place where both are installed."""
     try:
         import handle_tunnel_loops
     except ImportError:
@@ -46,18 +46,18 @@ def module():
             import handle_tunnel_loops
         except ImportError as error:
             raise ImportError(
-                f"the Python module handle_tunnel_loops is not there for Python {sys.version_info[0]}.{sys.version_info[1]} "
-                f"({error}): install it by `cmake --install`, and name the folder that it is in in PYTHONPATH"
+                f"Python {sys.version_info[0]}.{sys.version_info[1]} does not find the module handle_tunnel_loops ({error}): "
+                "install it with `cmake --install`, and add the folder that contains it to PYTHONPATH"
             ) from None
     return handle_tunnel_loops
 
 
-# ---- Properties, as ParaView shows them: in the order in which they are given.
+# ---- Properties; ParaView shows them in this order.
 
 
 class Property:
-    """One, with its XML; `only` is (NAME, VALUES): shown where that property has one of these values. Its label is its
-    name in words, as scripts of ParaView know properties by their labels."""
+    """A property with its XML. `only` is (NAME, VALUES): shown only if that property has one of these values. The label
+    is the name in words, because scripts address properties by their labels."""
 
     def __init__(self, name, default, help_, kind="String", domain="", only=None):
         self.name, self.default = name, default
@@ -107,14 +107,14 @@ def point_array(name, none, help_):
 MENDING = choice(
     "Mending",
     ["Take the surface as it is", "Weld points in the same place", "Repair"],
-    "Sources and files of ParaView often have seams: points that lie in the same place. Repair also drops what is "
-    "double or without area, splits what is no manifold, and orients faces alike.",
+    "Meshes in ParaView often have seams, where points coincide. Repair also drops duplicate and degenerate faces, "
+    "splits non-manifold edges and points, and orients faces consistently.",
     default=1,
 )
 
 
 def filter_of_surfaces(label, *properties):
-    """What makes a class a filter that takes a surface and has these properties."""
+    """Makes a class a filter of surfaces with these properties."""
 
     def setter(name):
         def set_value(self, value):
@@ -145,7 +145,7 @@ def filter_of_surfaces(label, *properties):
 
 
 class Surface:
-    """The triangles of a polydata: V and F, and of which points and cells of it they are."""
+    """The triangles of a polydata, V and F, with the points and cells that they come from."""
 
     def __init__(self, htl, data, mending):
         triangles = vtkTriangleFilter()
@@ -155,7 +155,7 @@ class Surface:
         triangles.Update()
         self.data = triangles.GetOutput()
         if self.data.GetNumberOfPolys() == 0:
-            raise ValueError("the input has no polygons, and so it is no surface")
+            raise ValueError("the input has no polygons")
         self.V = vtk_to_numpy(self.data.GetPoints().GetData()).astype(float)
         self.F = vtk_to_numpy(self.data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         self.vertex_origin, self.face_origin = np.arange(len(self.V)), np.arange(len(self.F))
@@ -166,7 +166,7 @@ class Surface:
 
 
 def as_vtk(name, values):
-    """An array of VTK: of numbers, or of words."""
+    """A VTK array of numbers or of words."""
     if len(values) > 0 and isinstance(values[0], str):
         array = vtkStringArray()
         array.SetNumberOfValues(len(values))
@@ -192,7 +192,7 @@ def points_of(V):
 
 
 def lines_of(polylines, are_closed, cell_arrays, point_arrays=None, facts=None):
-    """A polydata with a line for each polyline; a closed one comes back to its first point."""
+    """A polydata with a line for each polyline; a closed one returns to its first point."""
     data = vtkPolyData()
     V = np.concatenate([np.zeros((0, 3)), *polylines])
     starts = np.cumsum([0, *map(len, polylines)])
@@ -207,12 +207,12 @@ def lines_of(polylines, are_closed, cell_arrays, point_arrays=None, facts=None):
 
 
 def copy_attributes(source, target, origin):
-    """What each element had that `origin` names; -1 is a new one, of which numbers are not known: NaN, or 0."""
+    """Copies the data of the elements in `origin`; new elements, -1 there, get NaN or 0."""
     is_new = origin < 0
     for i in range(source.GetNumberOfArrays()):
         old = source.GetAbstractArray(i)
         if old.GetName() is None or source.IsArrayAnAttribute(i) == source.NORMALS:
-            continue  # normals are those of the old surface; ParaView makes new ones
+            continue  # they belong to the old surface; ParaView computes new ones
         if isinstance(old, vtkDataArray):
             values = vtk_to_numpy(old)[origin]
             values[is_new] = np.nan if values.dtype.kind == "f" else 0
@@ -232,7 +232,7 @@ def copy_attributes(source, target, origin):
 
 
 class SurfaceFilter(VTKPythonAlgorithmBase):
-    """Errors are said, and leave an output that is empty."""
+    """Reports errors, after which the output is empty."""
 
     def __init__(self):
         super().__init__(nInputPorts=1, inputType="vtkPolyData", nOutputPorts=1, outputType="vtkPolyData")
@@ -241,7 +241,7 @@ class SurfaceFilter(VTKPythonAlgorithmBase):
     def RequestData(self, request, inputs, outputs):
         data, output = vtkPolyData.GetData(inputs[0]), vtkPolyData.GetData(outputs)
         output.Initialize()
-        self.SetAbortExecute(0)  # of the last time
+        self.SetAbortExecute(0)  # clears an earlier abort
         try:
             htl = module()
             output.ShallowCopy(self.answer(htl, Surface(htl, data, self.values["Mending"])))
@@ -260,10 +260,10 @@ class SurfaceFilter(VTKPythonAlgorithmBase):
         how("%s: %s", self.label, what)
 
     def advice(self):
-        return [] if self.values["Mending"] == 2 else ["Mending has Repair"]
+        return [] if self.values["Mending"] == 2 else ["try Mending: Repair"]
 
     def told(self, begin=0.0, end=1.0):
-        """What a computation tells how far it is, and asks whether to go on."""
+        """A callable that shows the progress, and returns whether to continue."""
 
         def progress(fraction):
             self.UpdateProgress(begin + (end - begin) * fraction)
@@ -281,13 +281,15 @@ class SurfaceFilter(VTKPythonAlgorithmBase):
         except ValueError:
             value = np.nan
         if not value >= 0:
-            raise ValueError(f"{words} is no length: that is such as 0.25, or 3% of the diagonal of the box")
+            raise ValueError(
+                f"{words} is not a length: use a number, such as 0.25, or a percentage of the diagonal of the bounding box, "
+                "such as 3%")
         return value
 
     def numbers(self, name):
         words = (self.values[name] or "").replace(",", " ").split()
         if not words or not all(word.isdecimal() for word in words):
-            raise ValueError(f"'{' '.join(words)}' are no numbers of pairs: these are such as 0, 3")
+            raise ValueError(f"'{' '.join(words)}' is not a list of pairs: use their numbers, such as 0, 3")
         return [int(word) for word in words]
 
 
@@ -298,20 +300,21 @@ KINDS = ["handle", "tunnel", "boundary"]
 @filter_of_surfaces(
     "Handle Tunnel Loops",
     choice("Show", ["Both loops of each pair", "Handle loops", "Tunnel loops", "The shorter loop of each pair"],
-           "Handle loops bound in the solid inside, tunnel loops in the space outside."),
+           "Handle loops bound inside the solid, tunnel loops outside."),
     text("ShorterThan",
-         "Pairs with a loop that is shorter: a length, such as 0.25, or a percentage of the diagonal of the box, such as 3%. "
-         "Empty: all."),
-    text("LongerThan", "Pairs of which no loop is shorter than that. Empty: all."),
-    flag("Boundaries", False, "The boundary curves of the surface, too."),
+         "Show only pairs with a loop shorter than this: a length, such as 0.25, or a percentage of the diagonal of the "
+         "bounding box, such as 3%. Empty: all pairs."),
+    text("LongerThan", "Show only pairs whose loops are both at least this long. Empty: all pairs."),
+    flag("Boundaries", False, "Also show the boundary curves of the surface."),
     flag("Measures", False,
-         "How thick each handle is, and how wide its hole: diameters of the largest balls. Takes longer."),
+         "Measure the thickness of each handle and the clear width of its hole. Takes longer."),
     choice("Basis", ["Pure", "Shortest"],
-           "Shortest: shorter loops, whatever side they bound on. Thickness and clear width want pure ones."),
+           "Shortest: shorter loops, which may bound on either side. Use Pure for thickness and clear width."),
 )
 class HandleTunnelLoops(SurfaceFilter):
-    """Cells are closed lines. They have pair, kind (0 handle, 1 tunnel, 2 boundary), length, size (the shorter loop
-    of the pair over the diagonal), diameter, component and bounds; thickness, clear_width and noise if asked for."""
+    """Cells are closed lines, with the arrays pair, kind (0 handle, 1 tunnel, 2 boundary), length, size (the length of
+    the shorter loop of the pair over the diagonal), diameter, component and bounds; with Measures also thickness,
+    clear_width and noise."""
 
     label = "Handle Tunnel Loops"
 
@@ -342,7 +345,7 @@ class HandleTunnelLoops(SurfaceFilter):
         return data
 
     def chosen(self, L, diagonal):
-        """Pairs, of which some loops may be left out."""
+        """The chosen loops of the chosen pairs."""
         least, most = self.length("LongerThan", diagonal), self.length("ShorterThan", diagonal)
         for pair in L:
             shorter = min(pair, key=lambda loop: loop.length)
@@ -363,18 +366,18 @@ WAYS = ["smallest-change", "cut", "fill"]
     "Remove Handles",
     choice("Which", ["All handles", "The smallest, down to a genus", "Those with a shorter loop than",
                                "Noise: what is thinner, or narrower, than", "Pairs"],
-           "Pairs have the numbers that Handle Tunnel Loops shows.", default=2),
-    whole("Genus", 0, "How many handles stay.", only=("Which", [1])),
-    Property("Limit", "3%", "A length, such as 0.25, or a percentage of the diagonal of the box, such as 3%.",
+           "Pairs have the same numbers as in Handle Tunnel Loops.", default=2),
+    whole("Genus", 0, "The number of handles to keep.", only=("Which", [1])),
+    Property("Limit", "3%", "A length, such as 0.25, or a percentage of the diagonal of the bounding box, such as 3%.",
              only=("Which", [2, 3])),
-    text("Pairs", "Their numbers, such as 0, 3.", only=("Which", [4])),
+    text("Pairs", "The numbers of the pairs, such as 0, 3.", only=("Which", [4])),
     choice("By", ["The smaller change", "Cuts along handle loops", "Fills along tunnel loops"],
-           "A handle is cut through, or its hole is filled."),
-    flag("Force", False, "Also where that is no repair, as the bounding box would grow, say."),
+           "Cut handles, fill their holes, or do for each what changes the shape less."),
+    flag("Force", False, "Also remove handles where the result is not a repair, for example where the bounding box would grow."),
 )
 class RemoveHandles(SurfaceFilter):
-    """The surface as triangles, with the data of points and cells where these are those of the input; what is new has
-    NaN, or 0. vertex_origin and face_parent say of which point and cell of the input, -1 for new ones."""
+    """The surface as triangles, without the handles. Points and cells of the input keep their data; new ones have NaN or
+    0. vertex_origin and face_parent give the point and the cell of the input, -1 for new ones."""
 
     label = "Remove Handles"
 
@@ -385,7 +388,7 @@ class RemoveHandles(SurfaceFilter):
             V, F, loops=L, by=WAYS[self.values["By"]], force=bool(self.values["Force"]),
             **self.chosen(htl, surface, L), progress=self.told(0.6, 1))
         for one in report["refused"]:
-            self.say(print_warning, f"pair {one['pair']} stays: {one['reason']}")
+            self.say(print_warning, f"pair {one['pair']} is kept: {one['reason']}")
         vertices, faces = report["vertex_origin"], report["face_parent"]
         return self.output(surface, V, F, np.where(vertices < 0, -1, surface.vertex_origin[vertices]),
                            np.where(faces < 0, -1, surface.face_origin[faces]), report)
@@ -400,7 +403,7 @@ class RemoveHandles(SurfaceFilter):
             return {"pairs": self.numbers("Pairs")}
         limit = self.length("Limit", surface.diagonal)
         if limit is None:
-            raise ValueError("Limit is empty: it is such as 0.25, or 3% of the diagonal of the box")
+            raise ValueError("Limit is empty: enter a length, such as 0.25, or a percentage, such as 3%")
         if which == 2:
             return {"shorter_than": limit}
         return {"pairs": np.flatnonzero(htl.measure(surface.V, surface.F, L).noise < limit).tolist()}
@@ -428,13 +431,13 @@ FRONT = "(a front)"
 @filter_of_surfaces(
     "Surface Reeb Graph",
     point_array("Function", FRONT,
-                "An array of the points with one component; or the arrival times of a front, which give a skeleton."),
-    real("Simplify", 0.03, "The part of the whole up to which leaves are taken off."),
+                "A point array with one component, or the arrival times of a front, whose graph is similar to a skeleton."),
+    real("Simplify", 0.03, "Remove leaves up to this fraction of the whole."),
     choice("Drawing", ["Along the means of contours", "In the middle of the solid"],
-           "The latter takes many times as long."),
+           "In the middle of the solid takes much longer."),
 )
 class SurfaceReebGraph(SurfaceFilter):
-    """Cells are arcs, with arc, length, girth, on_cycle and the nodes at their ends; points have radius."""
+    """Cells are arcs, with arc, length, girth, on_cycle, lower_node and upper_node; points have radius."""
 
     label = "Surface Reeb Graph"
 
@@ -458,25 +461,25 @@ class SurfaceReebGraph(SurfaceFilter):
             return None
         array = surface.data.GetPointData().GetArray(name)
         if array is None or array.GetNumberOfComponents() != 1:
-            raise ValueError(f"points of the input have no array {name} of one component")
+            raise ValueError(f"the points of the input have no array {name} with one component")
         return vtk_to_numpy(array)[surface.vertex_origin].astype(float)
 
 
 @filter_of_surfaces(
     "Curve Skeleton",
     real("ShortestLimb", 1.2,
-         "Limbs that are shorter than so many times the radius of their base are left out; cycles never are."),
+         "Leave out limbs shorter than this many times the radius at their base. Cycles are always kept."),
 )
 class CurveSkeleton(SurfaceFilter):
     """Cells are arcs, with arc, length, smallest_radius, mean_radius, tortuosity and on_cycle; points have radius and
-    component: the tubes of the filter Tube, by absolute radius, touch the surface."""
+    component. The filter Tube, with absolute radius, draws tubes that touch the surface."""
 
     label = "Curve Skeleton"
 
     def answer(self, htl, surface):
         skeleton = htl.curve_skeleton(surface.V, surface.F, self.values["ShortestLimb"], progress=self.told())
         if not skeleton.certificate:
-            self.say(print_warning, f"not proved to be in the middle of the solid: {skeleton.certificate.failure}")
+            self.say(print_warning, f"the skeleton is not certified: {skeleton.certificate.failure}")
         rows = np.concatenate([np.zeros(0, dtype=np.int64), *skeleton.arcs])
         arrays = {
             "arc": np.arange(len(skeleton.arcs)),
@@ -494,11 +497,11 @@ class CurveSkeleton(SurfaceFilter):
 
 @filter_of_surfaces(
     "Throats",
-    real("LeastProminence", 0.25, "How prominent narrow places are at least, as a part of their lengths."),
+    real("LeastProminence", 0.25, "The least prominence, as a fraction of the length of the throat."),
 )
 class Throats(SurfaceFilter):
-    """Cells are closed lines around narrow places, with length, diameter, prominence, separating, pair (-1: of none)
-    and bounds."""
+    """Cells are closed lines around narrow places, with throat, length, diameter, prominence, separating, pair (-1 for
+    none) and bounds."""
 
     label = "Throats"
 
@@ -519,7 +522,7 @@ class Throats(SurfaceFilter):
 
 
 def load(names=None):
-    """Loads this file as a plugin. Filters are put into a dictionary, such as globals(), if there is one."""
+    """Loads this file as a plugin, and adds the filters to the dictionary `names`, such as globals()."""
     from paraview import simple
 
     simple.LoadPlugin(os.path.abspath(__file__), ns=names)

@@ -1,4 +1,4 @@
-"""What is said of arguments that are of a wrong type, or out of range."""
+"""Messages about arguments of a wrong type, or out of range."""
 
 import numpy as np
 import pytest
@@ -19,46 +19,46 @@ def test_threads(torus, call):
 @pytest.mark.parametrize(
     "function, arguments, error, message",
     [
-        ("loops", dict(seed="a"), TypeError, "seed has to be a whole number, not 'a'"),
-        ("loops", dict(seed=1.5), TypeError, "seed has to be a whole number"),
-        ("loops", dict(seed=True), TypeError, "seed has to be a whole number"),
-        ("loops", dict(seed=[1]), TypeError, "seed has to be a whole number"),
+        ("loops", dict(seed="a"), TypeError, "seed must be a whole number, not 'a'"),
+        ("loops", dict(seed=1.5), TypeError, "seed must be a whole number"),
+        ("loops", dict(seed=True), TypeError, "seed must be a whole number"),
+        ("loops", dict(seed=[1]), TypeError, "seed must be a whole number"),
         ("loops", dict(seed=2**70), ValueError, "seed cannot be"),
-        ("loops", dict(basis=3), TypeError, "basis has to be a string, not 3"),
-        ("loops", dict(time_budget="soon"), TypeError, "time_budget has to be a number, not 'soon'"),
+        ("loops", dict(basis=3), TypeError, "basis must be a string, not 3"),
+        ("loops", dict(time_budget="soon"), TypeError, "time_budget must be a number, not 'soon'"),
         ("loops", dict(time_budget=-1), ValueError, "time_budget cannot be -1"),
         ("loops", dict(time_budget=float("nan")), ValueError, "time_budget cannot be nan"),
-        ("reeb", dict(simplify="much"), TypeError, "simplify has to be a number, not 'much'"),
+        ("reeb", dict(simplify="much"), TypeError, "simplify must be a number, not 'much'"),
         ("reeb", dict(simplify=-1), ValueError, "simplify cannot be -1"),
         ("reeb", dict(simplify=float("nan")), ValueError, "simplify cannot be nan"),
-        ("reeb", dict(measure=3), TypeError, "measure has to be a string"),
-        ("reeb", dict(sources=["a"]), TypeError, "sources has to be a whole number"),
-        ("reeb", dict(sources=[-1]), ValueError, "vertex -1 is not one of"),
-        ("reeb", dict(f="height"), TypeError, "f has to be an array of real numbers"),
-        ("remove_handles", dict(genus=1.5), TypeError, "genus has to be a whole number"),
-        ("remove_handles", dict(shorter_than="3"), ValueError, "shorter_than 3: not a length, such as 0.25, nor a perc"),
-        ("remove_handles", dict(shorter_than="a%"), ValueError, "shorter_than a%: not a length, .* of the diagonal"),
-        ("remove_handles", dict(shorter_than="nan%"), ValueError, "shorter_than nan%: not a length"),
-        ("remove_handles", dict(shorter_than="%"), ValueError, "shorter_than %: not a length"),
-        ("remove_handles", dict(necks="-1%"), ValueError, "necks -1%: not a length"),
-        ("remove_handles", dict(necks="300%"), ValueError, "necks 300% is more than the diagonal of the mesh's box"),
-        ("remove_handles", dict(necks=[1]), TypeError, "necks has to be a number"),
+        ("reeb", dict(measure=3), TypeError, "measure must be a string"),
+        ("reeb", dict(sources=["a"]), TypeError, "sources must be a whole number"),
+        ("reeb", dict(sources=[-1]), ValueError, "vertex -1 does not exist"),
+        ("reeb", dict(f="height"), TypeError, "f must be an array of real numbers"),
+        ("remove_handles", dict(genus=1.5), TypeError, "genus must be a whole number"),
+        ("remove_handles", dict(shorter_than="3"), ValueError, "shorter_than must be a length, such as 0.25, or a perc.* not '3'"),
+        ("remove_handles", dict(shorter_than="a%"), ValueError, "shorter_than must be a length, .* of the diagonal .* not 'a%'"),
+        ("remove_handles", dict(shorter_than="nan%"), ValueError, "shorter_than must be a length, .* not 'nan%'"),
+        ("remove_handles", dict(shorter_than="%"), ValueError, "shorter_than must be a length, .* not '%'"),
+        ("remove_handles", dict(necks="-1%"), ValueError, "necks must be a length, .* not '-1%'"),
+        ("remove_handles", dict(necks="300%"), ValueError, "necks cannot be 300%: it must be at most 100% of the diagonal"),
+        ("remove_handles", dict(necks=[1]), TypeError, "necks must be a number"),
         ("remove_handles", dict(shorter_than=float("nan")), ValueError, "shorter_than cannot be nan"),
         ("remove_handles", dict(necks=-2), ValueError, "necks cannot be -2"),
-        ("remove_handles", dict(by=1), TypeError, "by has to be a string"),
-        ("remove_handles", dict(box="all"), TypeError, "box has to be an array of real numbers"),
-        ("remove_handles", dict(loops=[1]), TypeError, "loops has to be what loops.. returns"),
-        ("cut_edges", dict(avoid=[[0.5, 1.5]]), ValueError, "avoid has to be an array of integers"),
-        ("cut_edges", dict(avoid=[[0, -7]]), ValueError, "vertex -7 is not one of"),
-        ("cut_to_disk", dict(cones="ab"), TypeError, "cones has to be a whole number"),
-        ("cut_to_disk", dict(cones=[-3]), ValueError, "vertex -3 is not one of"),
-        ("certify", dict(L=None), TypeError, "L has to be what loops.. returns"),
-        ("html", dict(L=[1], path="a.html"), TypeError, "L has to be what loops.. returns"),
-        ("html", dict(L=None, path=None), TypeError, "L has to be what loops.. returns"),
-        ("html", dict(L="a.html"), TypeError, "L has to be what loops.. returns, not of type str"),
-        ("loops", dict(basis="shrt"), ValueError, "basis is 'pure' or 'shortest', not 'shrt'"),
-        ("reeb", dict(measure="limb"), ValueError, "'limbs' or 'persistence' or .* not 'limb'"),
-        ("remove_handles", dict(by="fil"), ValueError, "'cut' or 'fill' or 'smallest-change' or .*, not 'fil'"),
+        ("remove_handles", dict(by=1), TypeError, "by must be a string"),
+        ("remove_handles", dict(box="all"), TypeError, "box must be an array of real numbers"),
+        ("remove_handles", dict(loops=[1]), TypeError, "loops must be a result of loops.., not of type list"),
+        ("cut_edges", dict(avoid=[[0.5, 1.5]]), ValueError, "avoid must be an array of integers"),
+        ("cut_edges", dict(avoid=[[0, -7]]), ValueError, "vertex -7 does not exist"),
+        ("cut_to_disk", dict(cones="ab"), TypeError, "cones must be a whole number"),
+        ("cut_to_disk", dict(cones=[-3]), ValueError, "vertex -3 does not exist"),
+        ("certify", dict(L=None), TypeError, "L must be a result of loops.., not of type NoneType"),
+        ("html", dict(L=[1], path="a.html"), TypeError, "L must be a result of loops.*, not of type list"),
+        ("html", dict(L=None, path=None), TypeError, "L must be a result of loops"),
+        ("html", dict(L="a.html"), TypeError, "L must be a result of loops.*, not of type str"),
+        ("loops", dict(basis="shrt"), ValueError, "basis must be 'pure' or 'shortest', not 'shrt'"),
+        ("reeb", dict(measure="limb"), ValueError, "'limbs', 'persistence', .* or 'vertices', not 'limb'"),
+        ("remove_handles", dict(by="fil"), ValueError, "'cut', 'fill', 'smallest-change' or .*, not 'fil'"),
     ],
 )
 def test_what_is_refused(torus, function, arguments, error, message):
@@ -70,8 +70,8 @@ def test_what_is_refused(torus, function, arguments, error, message):
     "options, error, message",
     [
         (dict(faces=-1), ValueError, "faces cannot be -1"),
-        (dict(faces="many"), TypeError, "faces has to be a whole number"),
-        (dict(genus=1.0), TypeError, "genus has to be a whole number"),
+        (dict(faces="many"), TypeError, "faces must be a whole number"),
+        (dict(genus=1.0), TypeError, "genus must be a whole number"),
         (dict(seed=-1), ValueError, "seed cannot be -1"),
         (dict(seed=2**32), ValueError, "seed cannot be 4294967296"),
     ],
@@ -79,7 +79,7 @@ def test_what_is_refused(torus, function, arguments, error, message):
 def test_generators(options, error, message):
     with pytest.raises(error, match=message):
         htl.generate("torus", **options)
-    with pytest.raises(TypeError, match="kind has to be a string"):
+    with pytest.raises(TypeError, match="kind must be a string"):
         htl.generate(7)
 
 
@@ -88,9 +88,9 @@ def test_types_of_arrays(torus, kind):
     V, F = torus
     for mesh, name in [((V.astype(kind), F), "V"), ((V, F.astype(kind)), "F")]:
         for function in (htl.loops, htl.repair):
-            with pytest.raises(TypeError, match=f"^{name} has to be an array of .* not of "):
+            with pytest.raises(TypeError, match=f"^{name} must be an array of .* not of "):
                 function(*mesh)
-    with pytest.raises(TypeError, match="^f has to be"):
+    with pytest.raises(TypeError, match="^f must be"):
         htl.reeb(V, F, V[:, 0].astype(kind))
 
 
@@ -114,13 +114,13 @@ def test_numbers_that_are_none(torus):
         f[3] = value
         with pytest.raises(ValueError, match="finite|nan|inf"):
             htl.reeb(V, F, f)
-    with pytest.raises(ValueError, match="V is no array"):
+    with pytest.raises(ValueError, match="V is not an array"):
         htl.loops([[0, 0, 0], [1, 0]], F)
 
 
 def test_names_of_files_are_no_meshes(tmp_path):
     for name in ("a.off", tmp_path / "a.off"):
-        with pytest.raises(TypeError, match=r"read\(\) makes arrays of a file"):
+        with pytest.raises(TypeError, match=r"; read\(\) returns the arrays of a file"):
             htl.loops(name)
 
 
@@ -134,9 +134,9 @@ def test_a_page_needs_a_name(torus):
 @pytest.mark.parametrize("integer", ["i2", "u4", "i8"])
 def test_faces_that_count_from_1(torus, integer):
     V, F = torus
-    message = f"F names vertices 1 to {len(V)}, .*: faces count from 1 here; subtract 1$"
+    message = f"F refers to vertices 1 to {len(V)}, but vertices are numbered from 0: subtract 1 from F$"
     for function in (htl.loops, htl.repair, htl.reeb):
         with pytest.raises(htl.MeshError, match=message):
             function(V, (F + 1).astype(integer))
-    with pytest.raises(htl.MeshError, match="names vertex"):  # some are wrong, for another reason
+    with pytest.raises(htl.MeshError, match="refers to vertex"):  # some are wrong, for another reason
         htl.loops(V, F + 2)

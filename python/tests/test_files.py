@@ -56,14 +56,14 @@ def test_what_is_not_written(torus, tmp_path):
         htl.write(tmp_path / "no" / "a.off", V, F)
     with pytest.raises(ValueError, match="name of a file"):
         htl.write("-", V, F)
-    with pytest.raises(htl.MeshError, match="names vertex"):
+    with pytest.raises(htl.MeshError, match="refers to vertex"):
         htl.write(tmp_path / "a.off", V[:5], F)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_pictures(torus, tmp_path):
     if not htl.has_pictures:
-        with pytest.raises(ValueError, match="makes no pictures"):
+        with pytest.raises(ValueError, match="without libpng"):
             htl.picture(*torus, htl.loops(*torus))
         pytest.skip("this build makes no pictures")
     L = htl.loops(*torus)
@@ -72,9 +72,9 @@ def test_pictures(torus, tmp_path):
     assert htl.picture(torus, L, tmp_path / "a.png", size=(120, 90)) is None
     assert (tmp_path / "a.png").read_bytes() == content
     for wrong in (dict(path="a.jpg"), dict(size=(0, 5)), dict(size=7), dict(size=(10**6, 10**6))):
-        with pytest.raises(ValueError, match="^(a picture is written in PNG|size)"):
+        with pytest.raises(ValueError, match="^(pictures are PNG files|size)"):
             htl.picture(*torus, L, **wrong)
     with pytest.raises(OSError):
         htl.picture(*torus, L, tmp_path / "no" / "a.png", size=(120, 90))
-    with pytest.raises(TypeError, match="L has to be"):
+    with pytest.raises(TypeError, match="L must be"):
         htl.picture(*torus)

@@ -88,7 +88,7 @@ def test_a_page_is_whole_or_not_there(found, tmp_path):
 
 def test_what_cannot_be_drawn(torus):
     for what in (None, 5, "loops", np.zeros((4, 3), dtype=int), (1, 2, 3)):
-        with pytest.raises(TypeError, match="^L has to be what loops"):
+        with pytest.raises(TypeError, match="^L must be a result of loops"):
             htl.html(*torus, what, "page.html")
     with pytest.raises(ValueError, match="the cut: the mesh has no edge from 0 to 0"):
         htl.html(*torus, np.array([[0, 0]]), "page.html")
@@ -97,15 +97,15 @@ def test_what_cannot_be_drawn(torus):
 def test_records_that_do_not_fit(torus, tmp_path):
     skeleton = htl.curve_skeleton(*torus)
     skeleton._record["edges"] = skeleton._record["edges"] + len(skeleton.points)
-    with pytest.raises(ValueError, match="edges at points that it has not"):
+    with pytest.raises(ValueError, match="edges at points that do not exist"):
         htl.html(*torus, skeleton, tmp_path / "page.html")
     graph = htl.reeb(*torus)
     graph._record["arcs"]["ends"] = graph._record["arcs"]["ends"] + 1000
-    with pytest.raises(ValueError, match="of another mesh"):
+    with pytest.raises(ValueError, match="belongs to another mesh"):
         htl.html(*torus, graph, tmp_path / "page.html")
     removal = removed(*torus)
     del removal[3]["face_patch"]
-    with pytest.raises(ValueError, match="the record of the report is not whole: it has no 'face_patch'"):
+    with pytest.raises(ValueError, match="the record of the report is incomplete: it has no 'face_patch'"):
         htl.html(*torus, removal, tmp_path / "page.html")
 
 

@@ -12,7 +12,7 @@ import handle_tunnel_loops as htl
 def test_what_a_record_lacks_is_said(torus, key):
     L = pickle.loads(pickle.dumps(htl.loops(*torus)))
     del L._record[key]
-    with pytest.raises(ValueError, match=f"record of the loops is not whole: it has no '{key}'"):
+    with pytest.raises(ValueError, match=f"record of the loops is incomplete: it has no '{key}'"):
         htl.certify(*torus, L)
 
 
@@ -20,7 +20,7 @@ def test_what_a_part_of_a_record_lacks_is_said(torus):
     record = htl.loops(*torus)._record
     for part, key in [("bores", "diameters"), ("waists", "numbers"), ("certificate", "pairing")]:
         rest = {name: value for name, value in record[part].items() if name != key}
-        with pytest.raises(ValueError, match=f"{part} of the loops is not whole: it has no '{key}'"):
+        with pytest.raises(ValueError, match=f"{part} of the loops is incomplete: it has no '{key}'"):
             htl.Loops({**record, part: rest}).table()
 
 

@@ -123,11 +123,11 @@ def test_vertices_without_faces_are_on_no_arc(torus):
 
 def test_what_is_refused(torus):
     V, F = torus
-    with pytest.raises(ValueError, match="f has to be"):
+    with pytest.raises(ValueError, match="f must be"):
         htl.reeb(V, F, V[:5, 0])
-    with pytest.raises(ValueError, match="measure is"):
+    with pytest.raises(ValueError, match="measure must be"):
         htl.reeb(V, F, measure="size")
-    with pytest.raises(ValueError, match="drawing is"):
+    with pytest.raises(ValueError, match="drawing must be"):
         htl.reeb(V, F, drawing="outside")
     for shortest_arc in (-1, float("nan"), float("inf"), None):
         with pytest.raises(ValueError, match="shortest_arc"):

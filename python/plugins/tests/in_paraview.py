@@ -365,7 +365,7 @@ def what_is_no_surface_is_said_and_leaves_nothing():
         proxy = filter_(Input=with_fin)
         assert fetched(proxy).GetNumberOfCells() == 0
         (level, said), = SAYINGS.taken()
-        assert level == "ERROR" and "1 edge has more than two faces" in said and "Mending has Repair" in said, said
+        assert level == "ERROR" and "1 edge has more than two faces" in said and "try Mending: Repair" in said, said
         assert "\n" not in said and "repair()" not in said
         proxy.Mending = "Repair"
         proxy.UpdatePipeline()
@@ -391,11 +391,11 @@ def empty_and_open_surfaces():
 @check
 def wrong_properties_are_said():
     source = generated("torus", faces=600)
-    for options, words in (({"ShorterThan": "abc"}, "abc is no length"), ({"LongerThan": "-1"}, "-1 is no length"),
-                           ({"ShorterThan": "nan%"}, "nan% is no length")):
+    for options, words in (({"ShorterThan": "abc"}, "abc is not a length"), ({"LongerThan": "-1"}, "-1 is not a length"),
+                           ({"ShorterThan": "nan%"}, "nan% is not a length")):
         assert fetched(HandleTunnelLoops(Input=source, **options)).GetNumberOfCells() == 0
         assert words in SAYINGS.taken()[0][1]
-    for options, words in (({"Which": "Pairs"}, "no numbers of pairs"), ({"Which": "Pairs", "Pairs": "7"}, "7"),
+    for options, words in (({"Which": "Pairs"}, "not a list of pairs"), ({"Which": "Pairs", "Pairs": "7"}, "7"),
                            ({"Limit": ""}, "Limit is empty")):
         assert fetched(RemoveHandles(Input=source, **options)).GetNumberOfCells() == 0
         assert words in SAYINGS.taken()[0][1]
