@@ -9,7 +9,7 @@ const texts = Object.fromEntries(pieces.map(piece => {
 }));
 const page = readFileSync(template, 'utf8').replace(/@(\w+)@/g, (_, word) => {
   if (!(word in texts))
-    throw new Error(`nothing is given for @${word}@`);
+    throw new Error(`no text is given for @${word}@`);
   // What would end the script element in which it stands; no other place has these letters.
   return texts[word].trimEnd().replaceAll('</script', '<\\/script');
 });

@@ -1,14 +1,14 @@
 // Handle and tunnel loops, measures, Reeb graphs, skeletons and the removal of handles, for triangle meshes.
-// Each call runs in a worker of its own; what it throws is an HtloopsError, or the reason of the signal.
+// Each call runs in its own worker, and throws an HtloopsError, or the reason of the signal.
 
 export interface Mesh {
-  /** Three coordinates a point. */
+  /** Three coordinates for each point. */
   points: Float64Array;
-  /** Three numbers of points, from 0, a triangle. */
+  /** Three numbers of points, from 0, for each triangle. */
   triangles: Uint32Array;
 }
 
-/** Arrays of numbers of any kind are taken; those that come back are the typed ones of `Mesh`. */
+/** Any arrays of numbers are accepted; results are the typed arrays of `Mesh`. */
 export interface MeshLike {
   points: ArrayLike<number>;
   triangles: ArrayLike<number>;
@@ -17,20 +17,20 @@ export interface MeshLike {
 export interface Running {
   /** Ends the computation at once. */
   signal?: AbortSignal;
-  /** Told the part that is done, 0 to 1, and what is being done. */
+  /** Called with the fraction that is done, 0 to 1, and the current step. */
   onProgress?: (part: number, what: string) => void;
 }
 
 export interface Computing extends Running {
-  /** At most so many threads, where there are some; all processors without it. */
+  /** The largest number of threads, if threads are available; by default one for each core. */
   threads?: number;
 }
 
-/** What makes a mesh acceptable that is not. */
+/** Repairs that make a mesh acceptable. */
 export interface Remedies {
   triangulate?: boolean;
   repair?: boolean;
-  /** A length, or a percentage of the diagonal of the box: points of open edges that near are one. */
+  /** A length, or a percentage of the diagonal of the bounding box: joins points of open edges that are closer. */
   weld?: number | string;
 }
 
@@ -40,30 +40,30 @@ export interface Loop {
   length: number | null;
   component: number;
   bounds: 'inside' | 'outside' | 'neither' | 'undecided';
-  /** [u, v, t]: on the edge from vertex u to vertex v, at the part t of it. */
+  /** [u, v, t]: on the edge from vertex u to vertex v, at the fraction t of it. */
   locations: [number, number, number][];
-  /** Three coordinates a point; the first is not repeated at the end. */
+  /** Three coordinates for each point; the first is not repeated at the end. */
   points: Float64Array;
 }
 
 export interface Ball {
   diameter: number;
   error: number;
-  /** Where the ball is in the narrowest place. */
+  /** The center of the ball where it has the least room. */
   throat: Point;
-  /** The way of the ball. */
+  /** The path of the center of the ball. */
   curve: Point[];
 }
 
 export interface Pair {
-  /** The length of the shorter loop, relative to the diagonal of the box of the mesh. */
+  /** The length of the shorter loop over the diagonal of the bounding box of the mesh. */
   size: number | null;
   centre: Point;
   box: [Point, Point];
   diameter?: number | null;
   diameter_of?: 'bore' | 'handle' | 'tunnel';
   bore?: { diameter: number; centre: Point; axis: Point };
-  /** With `measure`: how thick the handle is, and how wide its hole. */
+  /** With `measure`: the thickness of the handle, and the clear width of its hole. */
   thickness?: Ball;
   clear_width?: Ball;
   not_measured_because?: string;
@@ -93,7 +93,7 @@ export interface Loops {
   boundaries: object[];
   throats?: object[];
   timings: Record<string, number>;
-  /** How many there were to compute with. */
+  /** The number of threads used. */
   threads: number;
 }
 
@@ -112,7 +112,7 @@ export interface LoopsOptions extends Computing, Remedies {
   removal?: boolean;
 }
 
-/** The loops around handles and through their holes, in pairs, with what is certified of them. */
+/** The handle and tunnel loops, in pairs, with their certificate. */
 export function loops(mesh: MeshLike, options?: LoopsOptions): Promise<Loops>;
 
 /** The same with the thickness of each handle and the clear width of its hole. */
@@ -127,7 +127,7 @@ export interface ReebGraph {
 }
 
 export interface ReebOptions extends Computing, Remedies {
-  /** The height in this direction instead of a diffusion. */
+  /** Use the height in this direction instead of a diffusion. */
   height?: Point;
   /** Vertices to diffuse from. */
   seed?: number[];
@@ -147,7 +147,7 @@ export interface Skeleton {
   vertex_point: number[];
 }
 
-/** A curve skeleton that is proved to lie inside. */
+/** A curve skeleton, with a certificate that it lies inside. */
 export function skeleton(mesh: MeshLike, options?: Computing & Remedies & { shortestLimb?: number }): Promise<Skeleton>;
 
 export interface Changed {
@@ -155,13 +155,13 @@ export interface Changed {
   report: Record<string, unknown>;
 }
 
-/** Lengths are numbers, or percentages of the diagonal of the box, such as '3%'. One of these is needed. */
+/** Lengths are numbers, or percentages of the diagonal of the bounding box, such as '3%'. One way to select is required. */
 export interface RemoveOptions extends Computing, Remedies {
   all?: boolean;
   genus?: number;
   shorterThan?: number | string;
   noiseBelow?: number | string;
-  /** Numbers of pairs, as `loops` has them. */
+  /** Numbers of pairs, as in the result of `loops`. */
   pairs?: number[];
   box?: number[];
   necks?: number | string;
@@ -184,39 +184,39 @@ export interface CleanOptions extends Computing {
   noiseBelow?: number | string;
 }
 
-/** A closed solid, as far as it can be made one: the report tells what is left. */
+/** Makes a closed solid where it can justify the changes; the report lists what is left. */
 export function clean(mesh: MeshLike, options?: CleanOptions): Promise<Changed>;
 
-/** The mesh cut open to disks, along short arcs of its edges. */
+/** The mesh cut open along short arcs of edges, so that each component is a disk. */
 export function cut(mesh: MeshLike, options?: Computing & Remedies & { through?: number[]; cutSpheres?: boolean }): Promise<{ mesh: Mesh }>;
 
-/** A mesh of a known genus: 'torus', 'multi-torus', 'gyroid', 'lattice', ... */
+/** A test mesh of known genus: 'torus', 'multi-torus', 'gyroid', 'lattice', ... */
 export function generate(kind: string, options?: { faces?: number; genus?: number; seed?: number; signal?: AbortSignal; [option: string]: unknown }): Promise<Mesh>;
 
 export interface RunOptions extends Running {
-  /** Files that the run finds, by name. Their arrays stay yours. */
+  /** Files that the run can read, by name. The arrays are copied. */
   files?: Record<string, Uint8Array>;
-  /** Names of files that are wanted. */
+  /** Names of files to return. */
   outputs?: string[];
-  /** The standard input. */
+  /** Standard input. */
   input?: Uint8Array;
-  /** Told each line of the messages. */
+  /** Called with each line of the messages. */
   onText?: (line: string) => void;
 }
 
 export interface RunResult {
   exitCode: number;
   files: Record<string, Uint8Array>;
-  /** The standard output. */
+  /** Standard output. */
   output: Uint8Array;
   messages: string;
 }
 
-/** The command `htloops` with these arguments, on files in memory: all that it can. */
+/** Runs the command `htloops` with these arguments, on files in memory. */
 export function run(args: string[], options?: RunOptions): Promise<RunResult>;
 
-/** What the tool said, with the exit code: 1 no certified answer, 2 wrong usage, 3 no mesh that can be read,
- * 4 a mesh that is not accepted; null if the run broke off. */
+/** The message of the tool, with the exit code: 1 no certified answer, 2 wrong usage, 3 a mesh that cannot be read,
+ * 4 a mesh that is not accepted; null if the run failed otherwise. */
 export class HtloopsError extends Error {
   exitCode: number | null;
   messages: string;

@@ -12,12 +12,12 @@ function check(mesh) {
   for (const name of ['points', 'triangles']) {
     const array = mesh?.[name];
     if (typeof array !== 'object' || !array || !(array.length % 3 === 0))
-      throw new TypeError(`${name}: an array of numbers was expected, three for each`);
+      throw new TypeError(`${name}: an array of numbers is expected, three for each`);
   }
   const { triangles } = mesh;
   for (let i = 0; i < triangles.length; ++i)
     if (!isNumberOfPoint(triangles[i]))
-      throw new TypeError(`triangles: ${triangles[i]}, at ${i}, is no number of a point, which count from 0`);
+      throw new TypeError(`triangles: ${triangles[i]}, at ${i}, is not the number of a point; they count from 0`);
 }
 
 // PLY, binary: three doubles a point, three numbers from 0 a triangle.

@@ -1,4 +1,4 @@
-// The page that computes: a mesh comes in, a task is chosen, its page is shown, and results are saved.
+// The page that computes: opens a mesh, runs a task, shows the page of its result, and saves files.
 
 import { portOf } from '../module/browser_port.js';
 import { makeClient } from '../module/client.js';
@@ -28,10 +28,10 @@ const { run } = makeClient(load, () => portOf(new Worker(workerAddress)));
 
 const meshEnding = /\.(off|obj|ply|stl|glb|gltf|3mf|vtp|vtu|msh2?|gii|surf|pial|white|inflated|orig)(\.gz)?$/i;
 
-// A name that is one name, and no option, whatever it was called.
+// A file name without folders that cannot be taken for an option.
 const safeName = name => name.replace(/[/\\\0]/g, '_').slice(-200).replace(/^-/, './-');
 
-// What results are called by: letters that need no quotes, and no option.
+// The stem of the names of results: without letters that need quotes, and not an option.
 const stemOf = name => name.replace(meshEnding, '').replace(/[^\w.-]+/g, '_').slice(-100).replace(/^[-.]+/, '') || 'mesh';
 
 const bytesOf = async file => new Uint8Array(await file.arrayBuffer());
@@ -44,25 +44,25 @@ function download(name, bytes) {
 
 const seconds = since => `${((performance.now() - since) / 1000).toFixed(1)} s`;
 
-// What a run said, without the name of the tool.
+// The messages of a run, without the name of the tool.
 const wordsOf = ({ output, messages }) =>
   (new TextDecoder().decode(output) + messages).replaceAll('htloops: ', '').trimEnd();
 
-// The first line that is none of a table.
+// The first line that does not belong to a table.
 const summaryIn = words => words.split('\n').find(line => /^\S/.test(line)) ?? '';
 
 // ---- the page
 
 class App {
-  mesh = null; // { name, files }: of files that belong together the first is the mesh
+  mesh = null; // { name, path, files }: the mesh file, and all files opened with it
   task = tasks.loops;
-  settings = []; // of the run that is shown
+  settings = []; // of the run whose result is shown
   remedies = [];
   results = {};
   chosen = [];
   running = null;
   isBusy = false;
-  done = 0; // how often something was done, to whatever end
+  done = 0; // the number of finished actions, successful or not
 
   constructor() {
     this.makeTasks();
@@ -82,7 +82,7 @@ class App {
     document.body.classList.add('ready');
   }
 
-  // ---- what can be pressed
+  // ---- controls
 
   makeTasks() {
     for (const [name, task] of Object.entries(tasks).filter(([, { ways }]) => !ways)) {
@@ -161,7 +161,7 @@ class App {
     this.refresh();
   }
 
-  // ---- what is said
+  // ---- messages
 
   say(text, isError = false) {
     element('message').textContent = text;
@@ -169,7 +169,7 @@ class App {
     element('remedies').replaceChildren();
   }
 
-  // What a person can do about a message: a button for each option that it proposes.
+  // A button for each option that a message proposes.
   offer(message, again) {
     const labels = { '--triangulate': 'Triangulate', '--repair': 'Repair' };
     for (const option of remediesIn(message).filter(each => !this.remedies.includes(each))) {
@@ -182,7 +182,7 @@ class App {
     }
   }
 
-  // ---- what is done
+  // ---- actions
 
   // One thing at a time.
   async perform(action) {
@@ -218,14 +218,15 @@ class App {
 
   async generate(label, words) {
     const path = `${words[0]}.off`;
-    const result = await this.run(`Making: ${label}`, ['generate', ...words, '-o', path, '-q'], { outputs: [path] });
+    const args = ['generate', ...words, '-o', path, '-q'];
+    const result = await this.run(`Generating: ${label}`, args, { outputs: [path] });
     if (!result)
       return;
     this.open({ name: label, path, files: { [path]: result.files[path] } });
     await this.compute(tasks.loops);
   }
 
-  // One run of the tool, with its progress and its Cancel; null if it was cancelled, or broke off.
+  // One run of the tool, with its progress and its Cancel; null if it was cancelled, or failed.
   async run(label, args, options) {
     this.running = new AbortController();
     this.say(label);
@@ -240,7 +241,7 @@ class App {
         },
       });
     } catch (error) {
-      this.say(this.running.signal.aborted ? 'Cancelled.' : `The computation broke off: ${error.message}`,
+      this.say(this.running.signal.aborted ? 'Cancelled.' : `The computation failed: ${error.message}`,
                !this.running.signal.aborted);
       return null;
     } finally {
@@ -249,7 +250,7 @@ class App {
     }
   }
 
-  // A run that writes files of a task, which come back by their names.
+  // A run that writes files of a task, which are returned by name.
   async runTask(label, task, wanted, settings) {
     const { mesh, remedies } = this, stem = stemOf(mesh.name);
     const result = await this.run(label, commandLine(task, mesh.path, stem, wanted, { settings, remedies }),
@@ -266,13 +267,13 @@ class App {
       return;
     const { exitCode, files } = result, words = wordsOf(result);
     if (!files[page.file]) {
-      this.say(words || `Nothing was found (${exitCode}).`, true);
+      this.say(words || `There is no result (exit code ${exitCode}).`, true);
       this.offer(words, () => this.compute(task, settings));
       return;
     }
     Object.assign(this, { task, settings, results: files, chosen: [], isShown: true });
     this.show(files[page.file]);
-    this.say(`${summaryIn(words)} (${seconds(began)} in all)`);
+    this.say(`${summaryIn(words)} (${seconds(began)} in total)`);
     this.refresh();
     this.listSaves();
   }
@@ -289,7 +290,7 @@ class App {
       made('option', { value: '', textContent: 'Save\u2026' }),
       ...[...task.written, ...task.more, page]
         .map(({ label, file }) => made('option', { value: file, textContent: label })),
-      ...(task.makesMesh ? [made('option', { value: 'go on', textContent: 'go on with the new mesh' })] : []));
+      ...(task.makesMesh ? [made('option', { value: 'go on', textContent: 'continue with the new mesh' })] : []));
   }
 
   async save(file) {
@@ -318,7 +319,7 @@ class App {
   }
 }
 
-// Threads share memory, which a page may only where no other can look into it: so its server has to say.
+// Threads share memory, which browsers allow only on isolated pages: the server must send headers.
 if (HAS_THREADS && !crossOriginIsolated)
   document.body.className = 'refused';
 else

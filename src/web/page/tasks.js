@@ -1,6 +1,6 @@
-// What the page can compute: the command of each task, what it writes, and what can be saved of it.
+// The tasks of the page: the command of each, the files that it writes, and those that can be saved.
 
-// Files that are written with every run are small; others are asked for when they are wanted.
+// Small files are written with every run; the others when the user saves them.
 const asFile = (label, file, option) => ({ label, file, option });
 
 const lines = asFile('lines (OBJ)', 'lines.obj', '--lines');
@@ -10,7 +10,7 @@ const table = asFile('table (CSV)', 'table.csv', '--csv');
 const report = asFile('report (JSON)', 'report.json', '--report');
 const mesh = ending => asFile(`mesh (${ending.toUpperCase()})`, `mesh.${ending}`, '-o');
 
-export const page = asFile('page of the result (HTML)', 'page.html', '--html');
+export const page = asFile('this page (HTML)', 'page.html', '--html');
 
 const pairSetting = { name: 'chosen', label: 'Remove chosen', option: '--pairs' };
 
@@ -37,8 +37,8 @@ export const tasks = {
     written: [mesh('stl'), report, table], more: [mesh('obj'), mesh('ply'), mesh('glb'), mesh('off')],
     ways: [
       pairSetting,
-      { name: 'noise', label: 'thinner or narrower than', option: '--noise-below', value: '1%' },
-      { name: 'genus', label: 'the smallest, to genus', option: '--genus', value: '0' },
+      { name: 'noise', label: 'noise below', option: '--noise-below', value: '1%' },
+      { name: 'genus', label: 'smallest, down to genus', option: '--genus', value: '0' },
     ],
   },
   clean: {
@@ -62,11 +62,10 @@ export const samples = [
   ['A knotted tube', ['trefoil', '--faces', '20000']],
 ];
 
-// What a file is called when it is saved: a run writes it under this name, too, as titles and commands that are
-// copied from its page have it.
+// The name of a saved file. A run writes it under this name, because titles and copied commands contain it.
 export const placeOf = (stem, file) => `${stem}-${file}`;
 
-// The words of the command line that writes these files. `remedies` are options without which a mesh is refused.
+// The command line that writes these files. `remedies` are options that make a mesh acceptable.
 export function commandLine(task, meshName, stem, files, { settings, remedies }) {
   return [
     task.command, meshName, ...files.flatMap(({ option, file }) => [option, placeOf(stem, file)].filter(word => word !== '')),
@@ -74,7 +73,7 @@ export function commandLine(task, meshName, stem, files, { settings, remedies })
   ];
 }
 
-// What the tool proposes in its message, as options that help.
+// The options that a message of the tool proposes.
 export function remediesIn(message) {
   return ['--triangulate', '--repair'].filter(option => message.includes(option));
 }

@@ -1,4 +1,4 @@
-// The page: what is shown of the scene, and what is done with it.
+// The page: shows the scene, and reacts to the user.
 
 const scene = JSON.parse(element('scene').textContent);
 
@@ -36,11 +36,11 @@ class Page {
     element('empty').textContent = scene.empty;
     element('empty').hidden = scene.empty === '';
     const hints = matchMedia('(pointer: coarse)').matches
-      ? ['drag: turn', 'two fingers: move, zoom, roll', 'tap: which loop', 'tap twice: turn about it']
-      : ['drag: turn', 'shift or right button: move', 'wheel: zoom', 'double click: turn about it'];
+      ? ['drag: turn', 'two fingers: move, zoom, roll', 'tap: select a loop', 'double tap: set the center']
+      : ['drag: turn', 'shift or right button: move', 'wheel: zoom', 'double click: set the center'];
     element('hint').textContent = hints.join(' \u00b7 ');
     const example = scene.columns.find(column => column.number && column !== scene.columns[0]);
-    element('search').placeholder = example ? `search, or for example ${example.name} < 2` : 'search';
+    element('search').placeholder = example ? `search, for example ${example.name} < 2` : 'search';
   }
 
   // ---- what is shown
@@ -51,7 +51,7 @@ class Page {
     let count = 0;
     const colours = scene.lines.map((line, i) => {
       const row = table.rows[line.row], isOfLit = row?.index === this.lit;
-      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden) && // of a row that is lit all
+      const shown = this.groupsShown[line.group] && (!row || !row.node.hidden) && // all lines of a lit row
                     (isOfLit || !this.ways.has(i) && (line.surface ?? viewer.shown) === viewer.shown);
       count += shown ? 1 : 0;
       const state = !shown ? 0 : isOfLit ? 255 : 128;
@@ -65,7 +65,7 @@ class Page {
     this.refreshChoice();
   }
 
-  // All parts but that of the lit row are pale.
+  // All parts except that of the lit row are pale.
   refreshParts(number) {
     const { parts, colour } = scene.surfaces[number], lit = scene.parts[this.lit] ?? undefined;
     this.viewer.fillParts(number, (parts || [colour]).map((own, part) => [
@@ -85,7 +85,7 @@ class Page {
       node.setAttribute('aria-label', label);
       return node;
     };
-    const steps = made('div', {}, button('\u2039', 'the one before (p)', -1), button('\u203a', 'the next one (n)', 1));
+    const steps = made('div', {}, button('\u2039', 'previous (p)', -1), button('\u203a', 'next (n)', 1));
     const focused = [...card.querySelectorAll('button')].indexOf(document.activeElement);
     card.replaceChildren(made('h2', { textContent: `${name} ${cell}` }), list, steps);
     if (focused >= 0)
@@ -101,13 +101,13 @@ class Page {
     element('choice').value = chosen.length ? scene.choice[0] + numbers.join(',') + scene.choice[1] : '';
     element('command').hidden = scene.numbers.length === 0;
     ['copy', 'clear'].forEach(id => withdraw(element(id), 'disabled', chosen.length === 0));
-    const told = numbers.join(); // to a page around this one, which may do something with them
+    const told = numbers.join(); // to a page around this one, which may use them
     if (window.parent !== window && told !== this.told)
       window.parent.postMessage({ chosen: numbers }, '*');
     this.told = told;
   }
 
-  // Lights a row and its lines, and flies there if that is wanted.
+  // Lights a row and its lines, and flies there if `isLookedAt`.
   light(index, isLookedAt) {
     this.lit = index;
     const row = this.table.rows[index];
@@ -181,7 +181,7 @@ class Page {
     element('message').classList.toggle('bad', isBad);
   }
 
-  // For a moment.
+  // Shows a text for a moment.
   note(text) {
     clearTimeout(this.noting);
     element('note').textContent = text;
@@ -197,7 +197,7 @@ class Page {
     });
   }
 
-  // One thing after the other: an open menu, measuring, where one flew to, the lit row.
+  // Ends one thing at a time: an open menu, measuring, a flight, the lit row.
   escape() {
     if (document.querySelector('.menu[open]'))
       this.closeMenus();
@@ -209,7 +209,7 @@ class Page {
       this.light(-1, false);
   }
 
-  // All but what was lit and chosen.
+  // Everything except lit and chosen rows.
   reset() {
     if (this.isMeasuring)
       this.toggleMeasuring();
@@ -220,7 +220,7 @@ class Page {
   }
 }
 
-// Of a closed line that is about flat, by Newell.
+// The normal of a nearly flat closed line, by Newell's method.
 function normalOf(points) {
   const area = points.reduce((all, p, i) => sum(all, cross(p, points[(i + 1) % points.length])), [0, 0, 0]);
   return Math.hypot(...area) > 0 ? normalized(area) : null;

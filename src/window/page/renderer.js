@@ -29,7 +29,7 @@ class Renderer {
     this.canvas = canvas;
     this.gl = canvas.getContext('webgl2', { antialias: false, depth: false });
     if (!this.gl)
-      throw new Error('this browser has no WebGL 2, or it is switched off');
+      throw new Error('this browser does not support WebGL 2, or it is disabled');
     this.surfaces = [];
     this.programs = { surface: this.program(SURFACE_VERTEX, SURFACE_FRAGMENT),
                       line: this.program(LINE_VERTEX, LINE_FRAGMENT) };
@@ -344,7 +344,7 @@ class Renderer {
     };
     if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) {
       free();
-      throw new Error('the graphics card has no room for it');
+      throw new Error('the graphics card does not have enough memory');
     }
     return { framebuffer, free };
   }
@@ -392,7 +392,7 @@ class Renderer {
       divideByOpacity(pixels);
     [drawn, plain].forEach(({ free }) => free());
     if (this.gl.isContextLost())
-      throw new Error('the graphics card had no room for it');
+      throw new Error('the graphics card does not have enough memory');
     return new ImageData(pixels, width, height);
   }
 

@@ -1,4 +1,4 @@
-// What leaves the page: a picture, and the command for the chosen rows.
+// Saves a picture, and copies the command for the chosen rows.
 
 const MOST_PIXELS = 4e7; // of a picture: 320 MB for the graphics card
 
@@ -16,7 +16,7 @@ class Saving {
     };
   }
 
-  // As large as what is on the page.
+  // The size of the view on the page.
   get size() {
     const { clientWidth, clientHeight } = this.viewer.canvas;
     return [clientWidth, clientHeight].map(x => Math.round(x * (window.devicePixelRatio || 1)));
@@ -26,7 +26,7 @@ class Saving {
     ['width', 'height'].forEach((id, i) => { element(id).value = this.size[i]; });
   }
 
-  // What was asked for, or null, if that cannot be.
+  // The size in the menu, or null if it is not possible.
   get wantedSize() {
     const size = ['width', 'height'].map((id, i) => Math.round(Number(element(id).value)) || this.size[i]);
     const { largestSide } = this.viewer.renderer, [width, height] = size;
@@ -39,12 +39,12 @@ class Saving {
       return page.say('There is no picture to save.', true);
     const size = this.wantedSize;
     if (!size)
-      return page.note(`A picture may have 16 to ${viewer.renderer.largestSide} pixels on a side, and ` +
-                       `${MOST_PIXELS / 1e6} million in all.`);
+      return page.note(`A picture can have 16 to ${viewer.renderer.largestSide} pixels on a side, and at most ` +
+                       `${MOST_PIXELS / 1e6} million in total.`);
     try {
       this.draw(...size).toBlob(blob => this.download(blob));
     } catch (error) {
-      page.note(`The picture could not be made: ${error.message}`);
+      page.note(`The picture could not be drawn: ${error.message}`);
     }
     return page.closeMenus();
   }
@@ -66,7 +66,7 @@ class Saving {
 
   download(blob) {
     if (!blob)
-      return this.page.note('This browser cannot make a picture of that size.');
+      return this.page.note('This browser cannot save a picture of that size.');
     const link = made('a', { href: URL.createObjectURL(blob), download: `${scene.name}.png` });
     link.click();
     return setTimeout(() => URL.revokeObjectURL(link.href), 1000);
@@ -79,7 +79,7 @@ class Saving {
       this.page.note('Copied.');
     } catch {
       const isCopied = document.execCommand('copy');
-      this.page.note(isCopied ? 'Copied.' : 'This browser does not let a page copy. The text is selected.');
+      this.page.note(isCopied ? 'Copied.' : 'This browser does not allow the page to copy. The text is selected.');
     }
   }
 }

@@ -1,11 +1,11 @@
-// Reads what the page carries, and shows it: first the table, then the surface, then the light in its cavities.
+// Reads the data in the page and shows them: first the table, then the surface, then the shading of its cavities.
 
-// A graphics card may be lost, and come back.
+// The browser can lose the graphics card, and get it back.
 function watchContext(viewer, page) {
   viewer.canvas.addEventListener('webglcontextlost', event => {
     event.preventDefault();
-    page.say('The browser lost the graphics card. The table still works; the surface returns when the card ' +
-             'does.', true);
+    page.say('The browser lost the graphics card. The table still works; the surface reappears when the card ' +
+             'is back.', true);
     viewer.draw();
   });
   viewer.canvas.addEventListener('webglcontextrestored', () => {
@@ -24,7 +24,7 @@ function makeRenderer(viewer, page) {
   }
 }
 
-// Points that stand for all when it is asked what fills the picture.
+// A sample of the points, to fit the view to the surface.
 function someOf(points, placing) {
   const count = points.length / 4, step = Math.max(1, Math.floor(count / 5000));
   return Array.from({ length: Math.ceil(count / step) }, (_, i) => placing.at(points, i * step));
@@ -44,7 +44,7 @@ async function loadSurfaces(viewer, page) {
   viewer.isAtHome = true;
 }
 
-// When nobody turns the surface.
+// Computed while the user does not turn the surface.
 async function addLight(viewer) {
   for (const [i, surface] of viewer.surfaces.entries()) {
     const isDone = await addOpenness(surface, viewer.size, async () => {
@@ -75,7 +75,7 @@ async function start() {
   if (viewer.renderer)
     await loadSurfaces(viewer, page);
   page.refresh();
-  viewer.isMoving = true; // so that what takes long is seen at once, with fewer triangles
+  viewer.isMoving = true; // so that large surfaces appear at once, with fewer triangles
   viewer.costs.triangle = 1e-3;
   viewer.drawNow();
   window.htloops.loadMilliseconds = performance.now() - began;
@@ -89,7 +89,7 @@ async function start() {
 }
 
 start().catch(error => {
-  element('message').textContent = `The page cannot show what it carries: ${error.message}`;
+  element('message').textContent = `The page cannot read its data: ${error.message}`;
   element('message').classList.add('bad');
   throw error;
 });
