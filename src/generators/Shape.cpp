@@ -106,8 +106,8 @@ std::size_t two_digits(double faces) {
   return static_cast<std::size_t>(std::llround(std::ceil(faces / unit) * unit));
 }
 
-// How many faces show the genus of a shape: so do some more of them, it is not by luck. Nothing if
-// there are none up to a number.
+// A number of faces with which the mesh of a shape has its genus; a larger number was tried, too,
+// to exclude chance. Nothing if there is none up to `most`.
 std::optional<std::size_t> enough_faces(const Shape& shape, std::size_t too_few, std::size_t most) {
   std::optional<std::size_t> enough;
   for(std::size_t faces = too_few; (faces = two_digits(1.3 * static_cast<double>(faces))) <= most;)
@@ -121,21 +121,21 @@ std::optional<std::size_t> enough_faces(const Shape& shape, std::size_t too_few,
 }
 
 std::string too_few(std::size_t faces) {
-  return std::to_string(faces) + (faces == 1 ? " face is" : " faces are") + " too few";
+  return std::to_string(faces) + (faces == 1 ? " face is" : " faces are") + " too few for ";
 }
 
-// With how many faces a shape can be made.
+// A number of faces with which the mesh has the genus of the shape.
 std::string advice(const Shape& shape, std::size_t faces) {
   const std::size_t parts = (std::max)(shape.number_of_parts(), std::size_t(100));
   const std::size_t most = 40000000 / parts; // more would take long
   if(const auto enough = enough_faces(shape, (std::max)(faces, fewest_shape_faces), most))
-    return "; " + std::to_string(*enough) + " are enough";
-  return ", or the text is wrong: none of the numbers that were tried, up to " +
-         std::to_string((std::max)(faces, most)) + ", shows it";
+    return "; " + std::to_string(*enough) + " faces are enough";
+  return "; no number of faces that was tried, up to " + std::to_string((std::max)(faces, most)) +
+         ", gives genus " + std::to_string(*shape.genus()) + ", so the text may be wrong";
 }
 
-// Edges that are sharper than the lattice is fine become saws. Walls as thin as that may not bear
-// to be rounded: then the edges stay as they are.
+// Edges that are sharper than the spacing of the lattice become jagged, so they are rounded first.
+// If thin walls would break, they are not.
 Soup fitted_with_rounded_edges(const Lattice_mesh& mesh, const Shape& shape) {
   for(const double cells : {1., 0.5}) {
     const Shape rounded = shape.rounded(cells * mesh.spacing);
@@ -184,13 +184,13 @@ private:
     throw std::invalid_argument("line " + std::to_string(number_) + " of the shape: " + problem);
   }
 
-  // What is very small, or far away, is lost when numbers are rounded.
+  // A shape that is very small, or far away, is lost in rounding errors.
   void check_size() const {
     const double size = length(shape_.box_.high - shape_.box_.low);
     const double away = length(shape_.box_.high + shape_.box_.low) / 2.;
     if(size < 1. / largest || size < 1e-9 * away)
       throw std::invalid_argument(
-          "the shape is too small for numbers of 16 digits, or too far from the origin");
+          "the shape is too small, or too far from the origin, for double precision");
   }
 
   double number() {
@@ -212,7 +212,7 @@ private:
   std::size_t whole_number() {
     const double value = number();
     if(!(value >= 0. && value <= 1e9 && value == std::floor(value)))
-      fail("that is no whole number");
+      fail("expected a whole number, 0 or larger");
     return static_cast<std::size_t>(value);
   }
 
@@ -224,7 +224,7 @@ private:
   Vector axis() {
     const Vector v = point();
     if(!(length(v) > 0.))
-      fail("an axis needs a direction");
+      fail("the direction of an axis must not be zero");
     return unit(v);
   }
 
@@ -238,10 +238,10 @@ private:
     else
       read_part(word, {[](const Vector& p) { return p; }});
     if(std::string rest; words_ >> rest)
-      fail("'" + rest + "' is too much");
+      fail("unexpected '" + rest + "' at the end");
   }
 
-  // \p motions are from a point to where it is asked for, one for each repetition.
+  // \p motions map a point to the place where the part is evaluated, one for each repetition.
   void read_part(const std::string& word, const std::vector<Motion>& motions) {
     if(word == "times") {
       const std::vector<Motion> repeated = repetitions(motions);
@@ -253,10 +253,10 @@ private:
     std::string name = word;
     const bool is_cut = word == "cut";
     if(is_cut && !(words_ >> name))
-      fail("what is cut?");
+      fail("'cut' must be followed by a part");
     const auto [distance, box, area, volume] = primitive(name);
     if(shape_.parts_.size() + motions.size() > most_parts)
-      fail("these are more than 10000 parts");
+      fail("the shape has more than 10000 parts");
     shape_.most_area_ += static_cast<double>(motions.size()) * area;
     if(!is_cut)
       shape_.most_volume_ += static_cast<double>(motions.size()) * volume;
@@ -275,11 +275,11 @@ private:
     std::string how;
     words_ >> how;
     if(!(count >= 1. && count <= most_parts) || (how != "by" && how != "around"))
-      fail("after 'times' come a number and 'by' or 'around'");
+      fail("'times' must be followed by a number, and 'by' or 'around'");
     const Vector first = point();
     const Vector direction = how == "around" ? axis() : Vector(0., 0., 1.);
     if(count * static_cast<double>(motions.size()) > most_parts)
-      fail("that is a part more than 10000 times");
+      fail("a part is repeated more than 10000 times");
     std::vector<Motion> result;
     for(int i = 0; i < static_cast<int>(count); ++i)
       for(const Motion& motion : motions)
@@ -293,7 +293,7 @@ private:
     return result;
   }
 
-  // How far it is to a part, a box around the part, and what its area and its volume are at most.
+  // The distance to a part, its bounding box, and bounds of its area and volume.
   struct Primitive
   {
     Distance distance;
@@ -301,7 +301,7 @@ private:
     double area, volume;
   };
 
-  // Around a way of some length, with round ends.
+  // Around a curve of some length, with round ends.
   static Primitive around(double length, double r, const Box& way, const Distance& distance) {
     return {distance, way.grown(r), 2. * CGAL_PI * r * (length + 2. * r),
             CGAL_PI * r * r * (length + 4. / 3. * r)};
@@ -318,7 +318,7 @@ private:
       const Vector a = point(), b = point();
       const double r = positive();
       if(!(length(b - a) > 0.))
-        fail("it has no length");
+        fail("its length is zero");
       const Box way = Box{a, a}.with(b);
       if(name == "rod")
         return around(length(b - a), r, way,
@@ -351,7 +351,8 @@ private:
       return pipe();
     if(name == "knot")
       return knot();
-    fail("'" + name + "' is no part; parts are ball, rod, cylinder, pipe, ring, knot and block");
+    fail("'" + name +
+         "' is not a part; the parts are ball, rod, cylinder, pipe, ring, knot and block");
   }
 
   Primitive pipe() {
@@ -367,7 +368,7 @@ private:
     while(words_ >> std::ws && !words_.eof())
       points.push_back(point());
     if(points.size() < (is_closed ? 3u : 2u))
-      fail("a pipe goes through two points, a closed one through three");
+      fail("a pipe needs at least two points, a closed one at least three");
     return tube(smooth_curve(points, is_closed), r);
   }
 
@@ -453,13 +454,15 @@ Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name)
   require_faces(request, name, 0.);
   const std::size_t faces = request.faces;
   if(faces < fewest_shape_faces)
-    throw std::invalid_argument(too_few(faces) + " for a shape" +
-                                (shape.genus() ? advice(shape, faces) : std::string()));
+    throw std::invalid_argument(
+        too_few(faces) + "a shape" +
+        (shape.genus() ? advice(shape, faces)
+                       : "; " + std::to_string(fewest_shape_faces) + " faces are enough"));
   const Lattice_mesh mesh = lattice_mesh(shape, faces, shape.most_spacing(faces));
   if(shape.genus() && genus(mesh.soup) != *shape.genus())
-    throw std::invalid_argument(too_few(faces) + " for the genus " +
-                                std::to_string(*shape.genus()) + " of the shape, they show " +
-                                std::to_string(genus(mesh.soup)) + advice(shape, faces));
+    throw std::invalid_argument(too_few(faces) + "the details of this shape: the mesh would have " +
+                                "genus " + std::to_string(genus(mesh.soup)) + " instead of " +
+                                std::to_string(*shape.genus()) + advice(shape, faces));
   return fitted_with_rounded_edges(mesh, shape);
 }
 

@@ -24,35 +24,38 @@
 namespace CGAL::Handle_tunnel_loops::generators {
 
 /*!
-A solid that a text describes, a part on each line, put together or cut out one after the other:
+A solid described by a text with one part on each line, added or cut out one after the other:
 
-    # the first line is what it is
-    genus N                        of its surface, summed over its components; checked if it is
-given faces N                        as many as show it well; 40000 if it is not said blend R parts
-that follow are joined with a fillet of about this size ball X Y Z R rod X Y Z X Y Z R with round
-ends cylinder X Y Z X Y Z R         with flat ends pipe R [closed] X Y Z ...      around a smooth
-curve through points ring X Y Z NX NY NZ R r        around a circle: its middle, its axis, its
-radius knot P Q R r TUBE              a torus knot: p times the long way, q times the short one
-    block X Y Z X Y Z ROUNDING     two corners
+    # a description of the shape
+    genus N                     of its surface, summed over its components; checked if given
+    faces N                     the default number of faces; 40000 if not given
+    blend R                     join the following parts with a fillet of about this size
+    ball X Y Z R
+    rod X Y Z X Y Z R           with round ends
+    cylinder X Y Z X Y Z R      with flat ends
+    pipe R [closed] X Y Z ...   around a smooth curve through points
+    ring X Y Z NX NY NZ R r     around a circle: center, axis, radius
+    knot P Q R r TUBE           a torus knot: P times the long way, Q times the short way
+    block X Y Z X Y Z ROUNDING  two corners
 
-`cut` before a part takes it away; `times N by X Y Z` and `times N around X Y Z NX NY NZ` repeat
-what follows them, moved or turned about an axis through a point by the N-th part of a turn.
+`cut` before a part removes it; `times N by X Y Z` and `times N around X Y Z NX NY NZ` repeat the
+following part, translated, or rotated about an axis through a point by 1/N of a turn.
 */
 class Shape : public Field
 {
 public:
-  /// throws `std::invalid_argument`, with the line, if the text is no description.
+  /// throws `std::invalid_argument`, with the line, if the text is not a valid description.
   explicit Shape(std::string_view text);
 
-  /// the shape with a radius of about this size at the edges of cylinders, of blocks and of what is
-  /// cut out, as far as there is room for it: a lattice does not show sharper ones.
+  /// the shape with edges of cylinders, blocks and cut-out parts rounded to about this radius,
+  /// where there is room: a lattice does not resolve sharper edges.
   Shape rounded(double radius) const;
 
   double operator()(const Vector& p) const override;
   Box box() const override { return box_; }
 
-  /// the coarsest lattice that can show so many faces: of its surface there is not enough for more,
-  /// and of thin parts no more is seen than what lies around points in them.
+  /// the largest spacing of a lattice that can give so many faces, by the area of the surface, and
+  /// by the volume of thin parts.
   double most_spacing(std::size_t faces) const;
 
   std::size_t number_of_parts() const { return parts_.size(); }
@@ -61,10 +64,10 @@ public:
   std::size_t faces() const { return faces_; }
 
 private:
-  // How far a point is from a part, whose edges have a radius.
+  // The distance of a point from a part whose edges have a radius.
   using Distance = std::function<double(const Vector&, double)>;
 
-  /// A part: how far a point is from it, and how it is joined to those before.
+  /// A part: the distance to it, and how it is joined to the parts before.
   struct Part
   {
     Distance distance;
@@ -83,12 +86,12 @@ private:
   Box box_;
 };
 
-/// the mesh of a shape with about as many faces as asked for. Throws `std::invalid_argument`, with
-/// the name, if they are too many, and with a number that is enough if they are too few for the
-/// genus that the text tells.
+/// the mesh of a shape with about the requested number of faces. Throws `std::invalid_argument` if
+/// they are too many, or too few for the genus in the text; then the message has a sufficient
+/// number.
 Soup mesh_of_shape(const Shape& shape, const Request& request, const char* name);
 
-/// those that are kept in shapes/, each a kind of its own.
+/// the shapes in shapes/, each a kind of its own.
 std::vector<Kind> kinds_of_shapes();
 
 /// the names and the texts of the files in shapes/.

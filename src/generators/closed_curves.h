@@ -64,8 +64,9 @@ public:
       : p_(static_cast<double>(p))
       , q_(static_cast<double>(q)) {
     if(p == 0 || q == 0 || std::gcd(p, q) != 1)
-      throw std::invalid_argument("a torus knot needs two numbers without a common divisor, not " +
-                                  std::to_string(p) + " and " + std::to_string(q));
+      throw std::invalid_argument(
+          "a torus knot needs two positive numbers without a common divisor, not " +
+          std::to_string(p) + " and " + std::to_string(q));
   }
 
   Vector point(double t, double moved) const {

@@ -35,87 +35,83 @@ const Kind own_kinds[] = {
      "a flat rounded slab with a hole for each handle; any genus g, from 200 + 200 g faces",
      make_multi_torus},
     {"lattice",
-     "tubes along the edges of a cubic grid, some of them left out at random; any genus g, from "
+     "tubes along the edges of a cubic grid, some left out at random; any genus g, from "
      "400 + 250 g faces",
      make_lattice},
     {"gyroid",
-     "a block of the gyroid, cut so that it has the handles asked for; any genus g, from "
-     "400 + 300 g faces",
+     "a part of the gyroid with the given number of handles; any genus g, from 400 + 300 g faces",
      make_gyroid},
     {"sponge",
-     "a block of cubes with a square hole through it for each handle, with flat faces and sharp "
-     "edges; any genus g, from about 60 + 30 g faces",
+     "a block of cubes with a square hole for each handle, with flat faces and sharp edges; any "
+     "genus g, from about 60 + 30 g faces",
      make_sponge},
     {"plates",
-     "a stack of plates and blocks with straight bores of random sizes through them, of few, long "
-     "and thin triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for "
-     "each part",
+     "a stack of plates and blocks with straight bores of random sizes, made of few long, thin "
+     "triangles; any genus g, at least the number p of parts, from 16 g + 12 p faces",
      make_plates, GENUS | PARTS},
     {"bars",
-     "a comb of bars with straight bores through them in two directions, of few, long and thin "
-     "triangles; any genus g, but no less than there are parts, from 16 g + 12 faces for each part",
+     "a row of bars with straight bores in two directions, made of few long, thin triangles; any "
+     "genus g, at least the number p of parts, from 16 g + 12 p faces",
      make_bars, GENUS | PARTS},
     {"hubs",
-     "a drum with bores in a circle, and a vertex in the middle of either end that has a quarter "
-     "as "
-     "many neighbours as there are faces; any genus g from 3, from 40 g faces",
+     "a drum with a circle of bores; the vertex in the middle of each end has a quarter as many "
+     "neighbors as the mesh has faces; any genus g from 3, from 40 g faces",
      make_hubs, GENUS, 10000, 20},
     {"fan",
-     "two fans on a rim whose heights are random, between which is the middle of one of them; "
-     "genus 0, from 6 faces",
+     "two fans of triangles over a common rim with random heights; the apex of one is at their "
+     "mean; genus 0, from 6 faces",
      make_fan, GENUS, 10000, 0},
-    {"chain",
-     "rings, each linked with the next, one for each handle; any genus g from 1, from 72 g faces",
+    {"chain", "a chain of rings, one for each handle; any genus g from 1, from 72 g faces",
      make_chain},
     {"torus-link",
-     "tubes along parallel torus knots (p, q), one for each handle, each linked with all others if "
-     "there are several; any genus g from 1, from some hundred faces for each",
+     "tubes along parallel torus knots (p, q), one for each handle, each linked with all others; "
+     "any genus g from 1, from a few hundred faces for each",
      make_torus_link, GENUS | TORUS_KNOT},
     {"ladder",
-     "a ladder with g - 1 rungs along a torus knot (p, q), its ends joined, and for g = 1 one side "
-     "alone; any genus g from 1, from some ten thousand faces",
+     "a closed ladder with g - 1 rungs along a torus knot (p, q), for g = 1 a single rail; any "
+     "genus g from 1, from about 10000 faces",
      make_ladder, GENUS | TORUS_KNOT, 20000},
     {"shell",
-     "hollow tubes along the edges of a cubic grid, the hollow along some of them: a surface and "
-     "one in it that share the handles; any genus g, from 1000 + 600 g faces",
+     "tubes along the edges of a cubic grid, with a cavity along some of them: an outer and an "
+     "inner surface that share the handles; any genus g, from 1000 + 600 g faces",
      make_shell},
     {"foam",
-     "struts of random radii along the edges of a grid whose nodes are moved at random; any genus "
-     "g, from 600 + 600 g faces",
+     "struts of random radii along the edges of a grid with randomly moved nodes; any genus g, "
+     "from 600 + 600 g faces",
      make_foam},
     {"interlaced",
-     "two grids of tubes, each through the holes of the other; any genus g, half of it each, from "
+     "two grids of tubes, each through the holes of the other; any genus g, half in each, from "
      "1000 + 400 g faces",
      make_interlaced},
     {"waves",
      "a level set of a sum of random waves in a box; the genus and the number of components are "
-     "what comes out, from 1000 + 400 f^3 faces for frequency f",
+     "random; from 1000 + 400 f^3 faces for frequency f",
      make_waves, WAVE_FREQUENCY, 20000},
     {"scan",
-     "a body like a pot with g large handles, rough as if it were scanned, and on it small bridges "
-     "and just below it small tunnels, a handle each; loops of the body are longer than 1, those "
-     "of the bridges and tunnels shorter than 20 mean edges, and so than 0.9; from 25000 faces, "
-     "more for more than 8 handles, and 600 for each bridge and tunnel",
+     "a body like a pot with g large handles and a rough surface, as from a scanner, with small "
+     "bridges on the surface and small tunnels below it, one handle each; loops of the body are "
+     "longer than 1, loops of bridges and tunnels shorter than 20 mean edges and 0.9; from 25000 "
+     "faces, more for more than 8 handles, and 600 for each bridge and tunnel",
      make_scan, GENUS | SMALL_BRIDGES, 60000},
     {"twins",
-     "two bodies like pots, each with g handles and one the mirror image of the other, joined by k "
-     "necks: genus 2 g + k - 1; necks are shorter than 10 mean edges, and so than 0.5, what is "
-     "around or through a handle is longer than 1; from 50000 faces, more for more than 8 handles, "
-     "and 180 per neck",
+     "two bodies like pots with g handles each, mirror images of each other, joined by k necks: "
+     "genus 2 g + k - 1; loops around necks are shorter than 10 mean edges and 0.5, loops around "
+     "and through handles longer than 1; from 50000 faces, more for more than 8 handles, and 180 "
+     "for each neck",
      make_twins, GENUS | NECKS, 100000},
     {"hollow",
-     "a hollow body like a pot with g handles, k small holes in its wall: genus 2 g + k - 1; holes "
-     "are shorter around than 10 mean edges, and so than 0.5, what is around or through a handle "
-     "is longer than 0.8; as many faces as for twins",
+     "a hollow body like a pot with g handles and k small holes in its wall: genus 2 g + k - 1; "
+     "loops around these holes are shorter than 10 mean edges and 0.5, loops around and through "
+     "handles longer than 0.8; as many faces as for twins",
      make_hollow, GENUS | NECKS, 100000},
     {"random",
-     "a random triangulation with random points, often ugly and never embedded: scattered, smooth, "
-     "flat at any scale, or with slivers and coincident points; any genus g, from 4 faces (g = 0) "
-     "or 2 + 12 g faces",
+     "a random triangulation with random points, never embedded: scattered, smooth, flat at any "
+     "scale, or with slivers and coincident points; any genus g, from 4 faces (g = 0) or 2 + 12 g "
+     "faces",
      make_random}};
 
-/// the edges of all triangles, as pairs of vertices in one number, sorted: one that two triangles
-/// have is there twice.
+/// the edges of all triangles, as pairs of vertices in one number, sorted: an edge of two triangles
+/// occurs twice.
 std::vector<std::uint64_t> sides_of(const Soup& soup) {
   std::vector<std::uint64_t> sides;
   sides.reserve(3 * soup.triangles.size());
@@ -144,7 +140,10 @@ void refuse(const char* kind, const std::string& why) {
   throw std::invalid_argument(std::string("a mesh of the kind '") + kind + "' " + why);
 }
 
-void require_faces(const Request& request, const char* kind, double least) {
+void require_faces(const Request& request,
+                   const char* kind,
+                   double least,
+                   const std::string& mesh) {
   // Three halfedges per face, numbered with 32 bits of which one may be a flag.
   constexpr double most = 700000000;
   const double faces = static_cast<double>(request.faces);
@@ -152,9 +151,9 @@ void require_faces(const Request& request, const char* kind, double least) {
     return;
   char limit[32];
   std::snprintf(limit, sizeof(limit), "%.12g", faces < least ? least : most);
-  refuse(kind, "of genus " + std::to_string(request.genus) + " needs " +
-                   (faces < least ? "at least " : "at most ") + limit + " faces, not " +
-                   std::to_string(request.faces));
+  refuse(kind, (mesh.empty() ? "of genus " + std::to_string(request.genus) : mesh) +
+                   (faces < least ? " needs at least " : " can have at most ") + limit +
+                   " faces, not " + std::to_string(request.faces));
 }
 
 void require_genus(const Request& request, const char* kind, std::size_t only) {
@@ -251,19 +250,20 @@ std::size_t number_of_components(const Soup& soup) {
 }
 
 Soup make(const Kind& kind, const Request& request) {
-  const auto require = [&](unsigned option, std::initializer_list<std::size_t> numbers) {
+  const auto require = [&](unsigned option, const char* what,
+                           std::initializer_list<std::size_t> numbers) {
     for(const std::size_t number : numbers)
       if((kind.options & option) != 0 && number > request.faces)
-        refuse(kind.name, "of " + std::to_string(request.faces) + " faces cannot have " +
-                              std::to_string(number) + " of anything");
+        refuse(kind.name, "with " + std::to_string(request.faces) + " faces cannot have " +
+                              std::to_string(number) + " " + what);
   };
-  // None of the faces can serve two: then no sum or product of what a kind needs is out of range.
-  require(GENUS, {request.genus});
-  require(PARTS, {request.parts});
-  require(TORUS_KNOT, {request.p, request.q});
-  require(WAVE_FREQUENCY, {request.frequency});
-  require(SMALL_BRIDGES, {request.bridges, request.tunnels});
-  require(NECKS, {request.necks});
+  // Each of these needs a face of its own. Then sums and products of such numbers do not overflow.
+  require(GENUS, "handles", {request.genus});
+  require(PARTS, "parts", {request.parts});
+  require(TORUS_KNOT, "turns", {request.p, request.q});
+  require(WAVE_FREQUENCY, "waves along a side", {request.frequency});
+  require(SMALL_BRIDGES, "bridges or tunnels", {request.bridges, request.tunnels});
+  require(NECKS, "necks", {request.necks});
   return kind.make(request);
 }
 

@@ -30,36 +30,36 @@ struct Soup
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What is wanted. The genus, summed over the components, is met exactly, the number of faces
-/// within about 20% where the kind allows it; the same request gives the same mesh.
+/// A request. The genus, summed over the components, is exact; the number of faces is within about
+/// 20% where the kind allows it. The same request gives the same mesh.
 struct Request
 {
   std::size_t faces = 10000;
   std::size_t genus = 1;
   unsigned seed = 0;
-  // What few kinds look at, see `Kind::options`.
+  // Used by few kinds, see `Kind::options`.
   std::size_t parts = 1;
   std::size_t p = 2, q = 3;
   std::size_t frequency = 3;
-  std::size_t bridges = 5, tunnels = 5; ///< what they add to the genus is not counted in it
-  std::size_t necks = 1;                ///< what joins two bodies, with a genus each
+  std::size_t bridges = 5, tunnels = 5; ///< not counted in the genus
+  std::size_t necks = 1;                ///< between two bodies with this genus each
 };
 
-/// What a kind looks at besides the number of faces and the seed, as bits.
+/// The options of a kind besides the number of faces and the seed, as bits.
 enum Request_option : unsigned {
   GENUS = 1,
   PARTS = 2,          ///< the number of components
-  TORUS_KNOT = 4,     ///< `p` and `q`, how often a curve goes around a torus the long and short way
+  TORUS_KNOT = 4,     ///< `p` and `q`: turns of a curve around a torus, the long and the short way
   WAVE_FREQUENCY = 8, ///< in waves per side of a box
-  SMALL_BRIDGES = 16, ///< how many bridges and tunnels are on top of the genus
-  NECKS = 32          ///< how many tubes join two bodies
+  SMALL_BRIDGES = 16, ///< the numbers of bridges and tunnels, added to the genus
+  NECKS = 32          ///< the number of tubes that join two bodies
 };
 
 /// A family of meshes.
 struct Kind
 {
   const char* name;
-  const char* description; ///< what it looks like, and the requests that can be met
+  const char* description; ///< the shape, and the possible requests
 
   /// makes the mesh; throws `std::invalid_argument` if the request cannot be met.
   std::function<Soup(const Request&)> make;
@@ -70,8 +70,8 @@ struct Kind
   std::size_t default_genus = 1;     ///< for the tool
 };
 
-/// makes a mesh as `kind.make()` does, and throws at once if more is asked for of something that
-/// the kind looks at than there are to be faces: such numbers are too large to compute with.
+/// makes a mesh as `kind.make()` does, but throws at once if a number that the kind uses is larger
+/// than the number of faces: such numbers could overflow.
 Soup make(const Kind& kind, const Request& request);
 
 /// all families.
@@ -80,10 +80,10 @@ const std::vector<Kind>& kinds();
 /// the mesh with its vertices and its triangles in random order.
 Soup permute_vertices(const Soup& soup, unsigned seed);
 
-/// one mesh of all the given ones, beside each other along the x axis.
+/// one mesh of all given meshes, side by side along the x axis.
 Soup disjoint_union(const std::vector<Soup>& soups);
 
-/// one mesh of all the given ones, where they are.
+/// one mesh of all given meshes, in place.
 Soup joined(const std::vector<Soup>& soups);
 
 /// the mesh moved by a vector.
@@ -92,31 +92,31 @@ Soup translated(Soup soup, const std::array<double, 3>& by);
 /// the mesh with all triangles turned over.
 Soup reversed(Soup soup);
 
-/// the number of connected components, leaving out vertices without a triangle.
+/// the number of connected components; vertices without a triangle do not count.
 std::size_t number_of_components(const Soup& soup);
 
-/// the number of boundary curves, none of which comes to a vertex twice.
+/// the number of boundary curves; none may pass a vertex twice.
 std::size_t number_of_boundaries(const Soup& soup);
 
 /// the genus of a surface, summed over its components.
 std::size_t genus(const Soup& soup);
 
-/// \f$ V - E + F \f$, counting the vertices that a triangle uses.
+/// \f$ V - E + F \f$; vertices without a triangle do not count.
 std::ptrdiff_t euler_characteristic(const Soup& soup);
 
 // Surfaces with boundary: closed ones with holes.
 
-/// Discs to be taken out of a closed surface, no two with a common vertex.
+/// Disks to remove from a closed surface, no two with a common vertex.
 struct Hole_request
 {
   std::size_t number = 0;
-  std::size_t faces = 20; ///< of each, about: at least those around a vertex
-  bool is_ragged = false; ///< with about as many boundary edges as faces; else they are round
+  std::size_t faces = 20; ///< of each disk, approximately; at least those around a vertex
+  bool is_ragged = false; ///< as many boundary edges as faces, approximately; otherwise round
   unsigned seed = 0;
 };
 
-/// the mesh without these discs, and without the vertices that are left alone. There are fewer
-/// discs, or smaller ones, where there is no room for more.
+/// the mesh without these disks and without isolated vertices. If there is not enough room, the
+/// disks are fewer or smaller.
 Soup with_holes(const Soup& mesh, const Hole_request& holes);
 
 } // namespace CGAL::Handle_tunnel_loops::generators

@@ -336,7 +336,8 @@ Soup make_gyroid(const Request& request) {
 
 Soup make_waves(const Request& request) {
   const std::size_t f = (std::max<std::size_t>)(request.frequency, 1);
-  require_faces(request, "waves", 1000. + 400. * double(f * f * f));
+  require_faces(request, "waves", 1000. + 400. * double(f * f * f),
+                "with frequency " + std::to_string(f));
   Random random(request.seed);
   return mesh_of_field(Waves_in_box(static_cast<double>(f), random), request.faces);
 }

@@ -16,7 +16,7 @@
 
 namespace CGAL::Handle_tunnel_loops::generators {
 
-// What makes a mesh of the kind of that name.
+// The functions that make meshes, one for each kind.
 Soup make_sphere(const Request& request);
 Soup make_torus(const Request& request);
 Soup make_knot(const Request& request);
@@ -40,17 +40,21 @@ Soup make_twins(const Request& request);
 Soup make_hollow(const Request& request);
 Soup make_random(const Request& request);
 
-/// throws `std::invalid_argument`: "a mesh of the kind '...' ", and why there is none.
+/// throws `std::invalid_argument`: "a mesh of the kind '...' ", followed by the reason.
 [[noreturn]] void refuse(const char* kind, const std::string& why);
 
-/// throws `std::invalid_argument` if fewer faces are asked for than the kind needs at this genus,
-/// or more than 32-bit indices can count.
-void require_faces(const Request& request, const char* kind, double least);
+/// throws `std::invalid_argument` if the request has fewer faces than such a mesh needs, or more
+/// than 32-bit indices can count. The message describes the mesh by its genus, or by `mesh`, such
+/// as "with 3 necks".
+void require_faces(const Request& request,
+                   const char* kind,
+                   double least,
+                   const std::string& mesh = std::string());
 
-/// throws `std::invalid_argument` if the kind has one genus only and another is asked for.
+/// throws `std::invalid_argument` if the request has another genus than the only one of the kind.
 void require_genus(const Request& request, const char* kind, std::size_t only);
 
-/// throws `std::invalid_argument` if a smaller genus is asked for.
+/// throws `std::invalid_argument` if the request has a smaller genus.
 void require_least_genus(const Request& request, const char* kind, std::size_t least);
 
 /// whether a closed manifold mesh is connected and has the given genus.

@@ -196,7 +196,7 @@ Soup mesh_of_field(const Field& field, const Request& request, const char* kind)
   }
   throw std::invalid_argument(std::to_string(request.faces) +
                               " faces are too few for a mesh of the kind '" + kind + "' of genus " +
-                              std::to_string(request.genus));
+                              std::to_string(request.genus) + ": use more faces");
 }
 
 Lattice_mesh lattice_mesh(const Field& field, std::size_t faces, double most_spacing) {

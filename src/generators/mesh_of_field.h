@@ -17,16 +17,16 @@
 
 namespace CGAL::Handle_tunnel_loops::generators {
 
-/// meshes a solid whose surface is connected and has the genus asked for, with about as many faces
-/// as asked for and even triangles. Throws `std::invalid_argument` if the faces are too few to show
-/// all handles.
+/// meshes a solid whose surface is connected and has the requested genus, with about the requested
+/// number of faces and even triangles. Throws `std::invalid_argument` if the faces are too few to
+/// resolve all handles.
 Soup mesh_of_field(const Field& field, const Request& request, const char* kind);
 
-/// meshes a solid with about as many faces as asked for, whatever their genus. The mesh is smoothed
-/// as far as it does not cross itself by that.
+/// meshes a solid with about the given number of faces, of any genus. The mesh is smoothed only as
+/// far as it does not cross itself.
 Soup mesh_of_field(const Field& field, std::size_t faces);
 
-/// What the lattice gives: of the same shape as the solid's surface, but rough.
+/// The mesh on the lattice: it approximates the surface of the solid, but is rough.
 struct Lattice_mesh
 {
   Soup soup;
@@ -34,8 +34,8 @@ struct Lattice_mesh
 };
 
 /// the first step of `mesh_of_field()`. Throws `std::invalid_argument` if the solid is empty, or
-/// too thin for so many faces: at once if a lattice of `most_spacing`,
-/// than which it is to be finer, has too many points.
+/// too thin for so many faces; at once if a lattice with the largest spacing, `most_spacing`, has
+/// too many points.
 Lattice_mesh lattice_mesh(const Field& field,
                           std::size_t faces,
                           double most_spacing = (std::numeric_limits<double>::infinity)());
@@ -43,7 +43,7 @@ Lattice_mesh lattice_mesh(const Field& field,
 /// the second step: the mesh moved onto the surface of the solid.
 Soup fitted(const Lattice_mesh& mesh, const Field& field);
 
-/// moves each vertex half of the way to the mean of its neighbours, `rounds` times.
+/// moves each vertex halfway to the mean of its neighbors, `rounds` times.
 void relax(Soup& soup, int rounds);
 
 /*!
@@ -56,8 +56,8 @@ piecewise linear solid that the signs at the lattice's points give.
 */
 Soup isosurface(const Field& field, double spacing, std::size_t expected_faces = 0);
 
-/// whether triangles of a closed surface meet where they are not neighbours. About as slow as
-/// making a mesh.
+/// whether triangles of a closed surface meet that are not neighbors. About as slow as making a
+/// mesh.
 bool crosses_itself(const Soup& soup);
 
 } // namespace CGAL::Handle_tunnel_loops::generators

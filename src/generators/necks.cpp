@@ -123,7 +123,8 @@ Soup joined_at_random(const Two_walls& walls,
     built += result.join(places[i]);
   if(built < request.necks)
     throw std::invalid_argument(std::to_string(request.faces) + " faces have room for only " +
-                                std::to_string(built) + " necks");
+                                std::to_string(built) + " necks, not " +
+                                std::to_string(request.necks));
   return result.take();
 }
 
@@ -131,9 +132,11 @@ Soup joined_at_random(const Two_walls& walls,
 Soup wall(const Request& request, const char* kind, Random& random) {
   constexpr std::size_t faces_of_neck = 60;
   require_faces(request, kind,
-                2 * Rounded_body::least_faces(request.genus) + 3 * faces_of_neck * request.necks);
+                2 * Rounded_body::least_faces(request.genus) + 3 * faces_of_neck * request.necks,
+                "with genus " + std::to_string(request.genus) + " and " +
+                    std::to_string(request.necks) + " necks");
   if(request.necks == 0)
-    refuse(kind, "has a neck");
+    refuse(kind, "needs at least one neck");
   // The bump is below, so that what is above is a cap of a ball.
   const Rounded_body body(request.genus, random.uniform(0., 2. * CGAL_PI),
                           {{Vector(0.1, 0., -0.6), 0.55}});

@@ -162,7 +162,7 @@ Corners choose_corners(std::size_t boxes, std::size_t bores, std::size_t faces, 
 template <typename MakePart>
 Soup make_parts(const Request& request, const char* kind, const MakePart& make_part) {
   if(request.parts == 0)
-    refuse(kind, "has a part");
+    refuse(kind, "needs at least one part");
   require_least_genus(request, kind, request.parts);
   require_faces(request, kind, least_faces(request.parts, request.genus));
   Random random(request.seed);

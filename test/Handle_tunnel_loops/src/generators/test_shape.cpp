@@ -91,7 +91,7 @@ TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
       {"# nothing\n", "no parts"},
       {"ball 0 0 0\n", "line 1"},
       {"ball 0 0 0 1\nbox 0 0 0 1 1 1\n", "line 2"},
-      {"ball 0 0 0 1 1\n", "too much"},
+      {"ball 0 0 0 1 1\n", "unexpected '1'"},
       {"ball 0 0 0 -1\n", "positive"},
       {"rod 0 0 0 0 0 0 1\n", "length"},
       {"ring 0 0 0 0 0 0 1 1\n", "direction"},
@@ -107,7 +107,7 @@ TEST(Shape, ATextThatIsNoneIsRefusedWithItsLine) {
       {"times 9999 by 1 0 0 ball 0 0 0 1\nball 0 0 0 1\nball 0 0 0 1\n", "line 3"},
       {"genus -1\nball 0 0 0 1\n", "whole number"},
       {"faces 1e30\nball 0 0 0 1\n", "whole number"},
-      {"cut\n", "what"}};
+      {"cut\n", "must be followed by a part"}};
   for(const auto& [text, words] : wrong)
     try {
       const Shape shape(text);
@@ -167,7 +167,8 @@ TEST(Shape, AGenusThatNoNumberOfFacesShowsIsRefused) {
     mesh_of_shape(Shape("genus 2\nball 0 0 0 1\n"), request, "shape");
     ADD_FAILURE();
   } catch(const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("up to 400000"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("up to 400000, gives genus 2"), std::string::npos)
+        << error.what();
   }
 }
 
