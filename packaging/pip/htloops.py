@@ -1,4 +1,4 @@
-"""The command htloops: the program that lies in the package handle_tunnel_loops, which is not imported for it."""
+"""The command htloops: runs the program in the package handle_tunnel_loops, without importing the package."""
 
 import os
 import subprocess
