@@ -10,9 +10,10 @@ the name of a text to write:
     handle 0 17 4 ...     the vertices of a loop, in order, the first not repeated
     tunnel 8 3 12 ...
 
-Times are of the processor, and the package uses one thread. The judge is benchmark_judged_loops: loops are right if they are a basis of H1 with integer coefficients, all
-handle loops bound inside and all tunnel loops outside. Prints tables of Markdown, for all programs and for
-each mesh.
+Times are of the processor, and the package uses one thread. The judge is benchmark_judged_loops: loops are
+right if they are a basis of H1 with integer coefficients, all handle loops bound inside and all tunnel loops
+outside; with --only-bases, also if they bound nowhere, for programs that know no sides. Prints tables of
+Markdown, for all programs and for each mesh.
 """
 
 import argparse
@@ -75,9 +76,10 @@ class Other:
         return dict(json.loads(out), seconds=seconds, memory=memory)
 
 
-def answer_of(program, mesh, folder, limit):
+def answer_of(program, mesh, folder, options):
     try:
-        return program.answer(mesh, folder, limit)
+        answer = program.answer(mesh, folder, options.limit)
+        return dict(answer, right=answer["basis"]) if options.only_bases else answer
     except RuntimeError as failure:
         return dict(failure=str(failure))
 
@@ -140,6 +142,7 @@ def main():
     parser.add_argument("--judge", default="build/benchmark/Handle_tunnel_loops/benchmark_judged_loops")
     parser.add_argument("--largest", type=int, default=200000, help="faces of the largest mesh to take")
     parser.add_argument("--limit", type=int, default=120, help="seconds for each program and mesh")
+    parser.add_argument("--only-bases", action="store_true", help="do not ask where loops bound")
     options = parser.parse_args()
 
     programs = [Package(options.judge)]
@@ -159,7 +162,7 @@ def main():
                 continue
             if mesh["genus"] == 0 or mesh["faces"] > options.largest:
                 continue
-            answers = [answer_of(p, folder / "mesh.off", folder, options.limit) for p in programs]
+            answers = [answer_of(p, folder / "mesh.off", folder, options) for p in programs]
             report(file.stem, mesh, answers)
             rows.append((mesh, answers))
     compare_answers(programs, rows)

@@ -69,12 +69,18 @@ def measure(
     """
     if isinstance(F, Loops):
         F, L = None, F
+    return measures_of(arrays(V, F), record_of(L), precision_of(precision), threads_of(threads), None)
+
+
+def precision_of(precision: Any) -> float:
     value = real_or_none("precision", precision)
     if value is None or not 0.001 <= value <= 0.2:
         raise ValueError(f"precision cannot be {precision}: it must be from 0.001 to 0.2")
-    return Measures(
-        computed("measure", None, _core.measure, *arrays(V, F), record_of(L), value, threads_of(threads))
-    )
+    return value
+
+
+def measures_of(mesh: Any, loops: Any, precision: float, threads: int, progress: Any) -> Measures:
+    return Measures(computed("measure", progress, _core.measure, *mesh, loops, precision, threads))
 
 
 class Way(Comparable):

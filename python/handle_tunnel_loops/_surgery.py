@@ -11,6 +11,7 @@ from . import _core
 from ._arguments import length_or_none, numbers, real_or_none, threads_of, vertices, whole, wholes, word
 from ._loops import Loop, Loops, _loops_of, record_of
 from ._loops import loops as loops_of_mesh
+from ._measures import measures_of, precision_of
 from ._meshes import arrays
 from ._progress import part, told
 from ._records import Comparable
@@ -28,6 +29,7 @@ def remove_handles(
     *,
     genus: Optional[int] = None,
     shorter_than: Optional[Length] = None,
+    noise_below: Optional[Length] = None,
     pairs: Union[None, int, Sequence[int], Mapping[int, Optional[Way]]] = None,
     box: Any = None,
     necks: Optional[Length] = None,
@@ -35,6 +37,7 @@ def remove_handles(
     bores: Optional[Tuple[Optional[float], Optional[float]]] = None,
     by: Way = "smallest-change",
     force: bool = False,
+    precision: float = 0.01,
     loops: Optional[Loops] = None,
     threads: Optional[int] = 0,
     progress: Any = None,
@@ -47,6 +50,8 @@ def remove_handles(
     genus : remove the smallest handles until this many remain
     shorter_than : remove handles with a loop shorter than this length, in the unit of the coordinates, or as a
         percentage of the diagonal of the bounding box: "3%"
+    noise_below : a length like shorter_than: remove handles whose thickness or clear width is less. What
+        cannot be measured is kept
     pairs : remove the handles of the pairs with these numbers, as in the table of ``loops``, which is required.
         A mapping gives the way of removal for each, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): remove handles with a loop in this box
@@ -58,6 +63,7 @@ def remove_handles(
         counterbore counts; slots have no diameter
     by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "smallest-change", whichever
         changes the shape less
+    precision : for noise_below: the largest relative error of a measure, 0.001 to 0.2
     force : also remove handles where the result is not a repair, for example where the bounding box would grow
     loops : the loops of this mesh; computed by default
     threads, progress : as for `loops`
@@ -80,13 +86,14 @@ def remove_handles(
             removed_necks; else -1. Handles that were removed together share their caps: their patch is the
             position of the first of them
         loops : the loops that were used
+        measures : what `measure` returns, if noise_below was given
     Pass the whole tuple to ``picture`` or ``html`` to show what was done.
     """
     methods = {}
     if isinstance(pairs, Mapping):
         methods = {n: word("each way in pairs", way, get_args(Way)) for n, way in pairs.items() if way is not None}
         pairs = list(pairs)
-    lengths = {"shorter_than": shorter_than, "necks": necks, "channels": channels}
+    lengths = {"shorter_than": shorter_than, "noise_below": noise_below, "necks": necks, "channels": channels}
     chosen: Dict[str, Any] = dict(
         genus=None if genus is None else whole("genus", genus),
         pairs=None if pairs is None else wholes("pairs", pairs),
@@ -100,18 +107,23 @@ def remove_handles(
     if pairs is not None and loops is None:
         raise ValueError("pairs requires loops: the numbers are those of its pairs")
     chosen.update(by=word("by", by, get_args(Way)), methods=methods, force=bool(force))
-    mesh, number = arrays(V, F), threads_of(threads)
+    mesh, number, error = arrays(V, F), threads_of(threads), precision_of(precision)
     with told(progress, "remove") as callback:
         begin = 0.0
         if loops is None:
-            begin = 0.8  # most of the time
+            begin = 0.8 if noise_below is None else 0.4  # most of the time, but for that of measures
             loops = loops_of_mesh(*mesh, threads=number, progress=part(callback, 0, begin))
         record = record_of(loops, "loops")
         for name, length in lengths.items():
             chosen[name] = length_or_none(name, length, record["diagonal"])
+        used = {"loops": loops}
+        limit = chosen.pop("noise_below")
+        if limit is not None:
+            used["measures"] = measures_of(mesh, record, error, number, part(callback, begin, 0.8))
+            chosen["pairs"], begin = np.flatnonzero(used["measures"].noise < limit).tolist(), 0.8
         rest = part(callback, begin, 1)
         removed = computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
-        removed[3]["loops"] = loops
+        removed[3].update(used)
         return removed
 
 

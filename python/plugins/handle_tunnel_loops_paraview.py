@@ -386,14 +386,14 @@ class RemoveHandles(SurfaceFilter):
         L = htl.loops(V, F, progress=self.told(0, 0.6))
         V, F, _, report = htl.remove_handles(
             V, F, loops=L, by=WAYS[self.values["By"]], force=bool(self.values["Force"]),
-            **self.chosen(htl, surface, L), progress=self.told(0.6, 1))
+            **self.chosen(surface.diagonal), progress=self.told(0.6, 1))
         for one in report["refused"]:
             self.say(print_warning, f"pair {one['pair']} is kept: {one['reason']}")
         vertices, faces = report["vertex_origin"], report["face_parent"]
         return self.output(surface, V, F, np.where(vertices < 0, -1, surface.vertex_origin[vertices]),
                            np.where(faces < 0, -1, surface.face_origin[faces]), report)
 
-    def chosen(self, htl, surface, L):
+    def chosen(self, diagonal):
         which = self.values["Which"]
         if which == 0:
             return {"genus": 0}
@@ -401,12 +401,12 @@ class RemoveHandles(SurfaceFilter):
             return {"genus": self.values["Genus"]}
         if which == 4:
             return {"pairs": self.numbers("Pairs")}
-        limit = self.length("Limit", surface.diagonal)
+        limit = self.length("Limit", diagonal)
         if limit is None:
             raise ValueError("Limit is empty: enter a length, such as 0.25, or a percentage, such as 3%")
         if which == 2:
             return {"shorter_than": limit}
-        return {"pairs": np.flatnonzero(htl.measure(surface.V, surface.F, L).noise < limit).tolist()}
+        return {"noise_below": limit}
 
     @staticmethod
     def output(surface, V, F, vertex_origin, face_parent, report):
