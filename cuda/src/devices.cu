@@ -35,11 +35,11 @@ int usable_device(int number) {
   if(number < 0)
     check<No_device_exception>(cudaGetDevice(&number), "asking for the current device");
   if(number >= count)
-    throw No_device_exception("there is no device " + std::to_string(number) + ", but " +
-                              std::to_string(count));
+    throw No_device_exception("device " + std::to_string(number) +
+                              " does not exist; number of devices: " + std::to_string(count));
   require(number, cudaDevAttrComputeCapabilityMajor, 7, "compute capability 7.0");
   require(number, cudaDevAttrCooperativeLaunch, 1, "cooperative launches");
-  require(number, cudaDevAttrMemoryPoolsSupported, 1, "pools of memory");
+  require(number, cudaDevAttrMemoryPoolsSupported, 1, "memory pools");
   const Current_device current(number);
   cudaFuncAttributes attributes;
   check<No_device_exception>(cudaFuncGetAttributes(&attributes, any_kernel),

@@ -152,8 +152,8 @@ OutputIterator handle_measures(const TriangleMesh& tm,
     found.pairs.resize(polylines.size());
     found.why =
         surface.mesh.number_of_hubs == 0
-            ? "the surface touches or crosses itself, or has a face without area"
-            : "the surface with its caps touches or crosses itself, or has a face without area";
+            ? "the surface touches or crosses itself, or has a degenerate face"
+            : "the surface with its caps touches or crosses itself, or has a degenerate face";
   } else
     found = impl::measure_handles(execution, surface.mesh, places, polylines, precision);
   using Point = typename std::decay_t<decltype(surface)>::Point;

@@ -105,7 +105,7 @@ def test_bores(genus_3):
         htl.remove_handles(V, F, bores=(2, 1))
     with pytest.raises(ValueError, match="bores and genus|genus and bores"):
         htl.remove_handles(V, F, bores=(1, 2), genus=0)
-    with pytest.raises(ValueError, match="bores are filled"):
+    with pytest.raises(ValueError, match="bores can only be filled"):
         htl.remove_handles(V, F, bores=(1, 2), by="cut")
 
 

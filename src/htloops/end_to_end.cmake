@@ -154,7 +154,7 @@ expect_match("${program}" "\nMESH = .cube.off.  #.*\nNUMBER_OF_VERTICES = 8\nPLA
 run(2 cut cube.off --seams cube.txt)
 run(2 cut cube.off --uv cube.off)
 run(2 cut mesh.off --repair --seams mesh.py)
-expect_match("${errors}" "mend it before with 'htloops repair'")
+expect_match("${errors}" "repair it first with 'htloops repair'")
 run("0|2" cut cube.off --uv cube.obj)
 if(output)
   expect_match("${output}" "\n1 chart: angles off by")
@@ -252,7 +252,7 @@ string(JSON tunnel GET "${loops}" pairs 0 tunnel)
 string(JSON wrong SET "${wrong}" pairs 0 handle "${tunnel}")
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 check mesh.off wrong.json)
-expect_match("${errors}" "pair 0: the handle and the tunnel loop have each other's names")
+expect_match("${errors}" "pair 0: the handle and the tunnel loop are swapped")
 string(JSON other GET "${loops}" pairs 1 handle)
 string(JSON wrong SET "${loops}" pairs 0 handle "${other}")
 string(JSON wrong SET "${wrong}" pairs 1 handle "${handle}")
@@ -271,7 +271,7 @@ string(JSON wrong SET "${loops}" pairs 0 tunnel "${handle}")
 string(JSON wrong SET "${wrong}" pairs 0 handle length 7)
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 check mesh.off wrong.json)
-expect_match("${errors}" "homologous.*pair 0, handle: the length is given as 7 and is [1-9]")
+expect_match("${errors}" "homologous.*pair 0, handle: the length is given as 7, but is [1-9]")
 # All that is said besides is checked, too.
 string(JSON wrong SET "${loops}" mesh genus 77)
 string(JSON wrong SET "${wrong}" mesh boundaries 1)
@@ -282,12 +282,12 @@ string(JSON wrong SET "${wrong}" pairs 0 tunnel bounds_alone "\"neither\"")
 string(JSON wrong SET "${wrong}" linking "[[0, 1, 5], [900, 1, 1]]")
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 check mesh.off wrong.json)
-foreach(words IN ITEMS "the number of components is given as 2 and is 1"
-    "the number of boundary curves is given as 1 and is 0" "the genus is given as 77 and is [0-9]+"
-    "pair 0, handle: bounds is given as outside and is inside"
-    "pair 0, tunnel: bounds_alone is given as neither and is outside"
-    "linking .0, 1. is given as 5 and is [-0-9]+; [0-9]+ linking numbers are wrong"
-    "pair 1: the size is given as 0.5 and is 0[.]")
+foreach(words IN ITEMS "the number of components is given as 2, but is 1"
+    "the number of boundary curves is given as 1, but is 0" "the genus is given as 77, but is [0-9]+"
+    "pair 0, handle: bounds is given as outside, but is inside"
+    "pair 0, tunnel: bounds_alone is given as neither, but is outside"
+    "linking .0, 1. is given as 5, but is [-0-9]+; [0-9]+ linking numbers are wrong"
+    "pair 1: the size is given as 0.5, but is 0[.]")
   expect_match("${errors}" "${words}")
 endforeach()
 file(WRITE "${FOLDER}/wrong.json" "{ \"format\": \"htloops/1\" ")
@@ -374,7 +374,7 @@ if(short GREATER long)
   message(SEND_ERROR "a waist is longer than the boundary")
 endif()
 run(0 check plate.off waists.json)
-expect_match("${output}" "with the boundary curves but one of each component")
+expect_match("${output}" "with all boundary curves except one per component")
 run(0 loops plate.off --waists)
 expect_match("${output}" "boundary +length +waist +edges +center\n( +[0-9]+ +[^\n]*\n)+")
 # What a file says of the boundary is checked as well.
@@ -386,12 +386,12 @@ string(JSON first GET "${waists}" boundaries 0)
 string(JSON twice SET "${waists}" boundaries 1 "${first}")
 file(WRITE "${FOLDER}/forged.json" "${twice}")
 run(1 check plate.off forged.json)
-expect_match("${errors}" "boundary 1 is there twice")
+expect_match("${errors}" "boundary 1 appears twice")
 string(JSON handle GET "${waists}" pairs 0 handle)
 string(JSON foreign SET "${waists}" boundaries 2 "${handle}")
 file(WRITE "${FOLDER}/forged.json" "${foreign}")
 run(1 check plate.off forged.json)
-expect_match("${errors}" "boundary 2 is no boundary curve")
+expect_match("${errors}" "boundary 2 is not a boundary curve")
 string(JSON waist GET "${waists}" boundaries 1 waist)
 string(JSON moved SET "${waists}" boundaries 3 waist "${waist}")
 file(WRITE "${FOLDER}/forged.json" "${moved}")
@@ -402,6 +402,7 @@ run(0 generate sphere --holes 3 -o sheet.off)
 run(0 loops sheet.off -o sheet.json)
 expect_match("${output}" "no pairs; all boundary curves except one")
 run(0 check sheet.off sheet.json)
+expect_match("${output}" "sheet.json: no loops; all boundary curves except one per component are a basis")
 
 # Meshes that cannot be read, or are not what the method takes.
 run(3 loops none.off)

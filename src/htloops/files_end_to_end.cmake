@@ -115,7 +115,7 @@ execute_process(COMMAND "${HTLOOPS}" loops mesh.off --quiet "--output=" WORKING_
 expect_equal("${code}" 2)
 expect_match("${errors}" "name of the file is empty|--output")
 run(2 generate torus --faces -5 -o new.off)
-expect_match("${errors}" "-5 is not a count")
+expect_match("${errors}" "-5 is not a non-negative integer")
 
 # Help that cannot be written is a failure.
 if(EXISTS "/dev/full")

@@ -236,7 +236,7 @@ file(WRITE "${FOLDER}/empty.off" "OFF\n0 0 0\n")
 run("3|4" loops empty.off --repair)
 write_off(nothing_left.off "0 0 0;1 0 0;0 1 0" "3 0 1 0")
 run(4 loops nothing_left.off --repair)
-expect_match("${errors}" "the mesh has no face")
+expect_match("${errors}" "the mesh has no faces")
 
 # Where the mesh is written.
 run(2 loops triangles.off --write-mesh mesh.txt)

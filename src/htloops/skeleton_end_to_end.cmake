@@ -180,7 +180,7 @@ file(WRITE "${FOLDER}/crossing.off" "OFF\n8 8 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n1 1
   "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n")
 run(0 skeleton crossing.off -o crossing.json)
 expect_match("${output}" "genus 0 in 2 components: ")
-expect_match("${output}" "not certified:\n  the surface crosses or touches itself: nothing is proved")
+expect_match("${output}" "not certified:\n  the surface crosses or touches itself: nothing can be proved")
 file(READ "${FOLDER}/crossing.json" crossing)
 string(JSON inside GET "${crossing}" certificate inside)
 expect_equal("${inside}" OFF)

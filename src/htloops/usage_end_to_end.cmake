@@ -42,7 +42,7 @@ run(0 loops --throats --through 5,7 mesh.off -q)
 foreach(arguments IN ITEMS "loops;--seed" "loops;--through" "reeb;--seed" "remove;--genus")
   list(POP_FRONT arguments command)
   run(2 ${command} mesh.off ${arguments} -1)
-  expect_match("${errors}" "-1 is not a count")
+  expect_match("${errors}" "-1 is not a non-negative integer")
 endforeach()
 
 # Every output of every command, as the help has them, refuses an ending that it cannot write, says what it

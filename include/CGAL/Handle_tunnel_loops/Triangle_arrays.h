@@ -267,7 +267,7 @@ private:
                                        std::to_string(not_triangle.get()));
     if(out_of_range.found())
       throw std::out_of_range("face " + std::to_string(out_of_range.get()) +
-                              " names a vertex that is not one of the " +
+                              " uses a vertex that does not exist: there are " +
                               std::to_string(number_of_points));
     return corners;
   }

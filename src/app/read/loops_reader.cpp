@@ -236,7 +236,7 @@ private:
     if(std::abs(length - record.length) <= tolerance)
       return record.length;
     add_problem(WRONG_LENGTH, place_ + ": the length is given as " + in_words(record.length) +
-                                  " and is " + in_words(length));
+                                  ", but is " + in_words(length));
     return length;
   }
 

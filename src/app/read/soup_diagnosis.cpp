@@ -68,7 +68,7 @@ private:
 
   void check_size() {
     if(soup_.faces.empty())
-      defects_.push_back({Mesh_defect::EMPTY, 1, "the mesh has no face"});
+      defects_.push_back({Mesh_defect::EMPTY, 1, "the mesh has no faces"});
     if(3 * soup_.faces.size() > Soup::largest_number_of_halfedges ||
        soup_.points.size() > Soup::largest_number_of_halfedges)
       defects_.push_back({Mesh_defect::TOO_LARGE, 1, "the mesh has more than 2^32 - 2 halfedges"});
@@ -97,8 +97,8 @@ private:
     }
     report(not_triangles, Mesh_defect::NOT_TRIANGULATED, "face is not a triangle",
            "faces are not triangles");
-    report(degenerate_faces, Mesh_defect::DEGENERATE_FACE, "face names the same vertex twice",
-           "faces name the same vertex twice");
+    report(degenerate_faces, Mesh_defect::DEGENERATE_FACE, "face uses the same vertex twice",
+           "faces use the same vertex twice");
     if(not_triangles.count() + degenerate_faces.count() != 0)
       are_faces_sound_ = false;
   }

@@ -40,17 +40,19 @@ bool has_wrong_types_only(const Certificate& c) {
 // What has been found to be right, and what is no failure but should be known.
 std::string praise(const Certificate& certificate, bool has_boundary, bool is_boundary_of_solid) {
   const std::size_t number_of_loops = certificate.linking.size();
+  if(number_of_loops == 0)
+    return has_boundary ? "no loops; all boundary curves except one per component are a basis of "
+                          "H1(S; Z)"
+                        : "no loops, as the genus is 0";
   const std::string text =
       "the " + std::to_string(number_of_loops) +
       " loops are closed, lie on the surface and are a basis of H1(S; Z)" +
-      (has_boundary ? " with the boundary curves but one of each component" : "");
-  if(number_of_loops == 0)
-    return text;
+      (has_boundary ? " with all boundary curves except one per component" : "");
   std::vector<std::string> remarks;
   if(!is_boundary_of_solid)
     remarks.push_back(
-        "the surface touches or crosses itself: where it does, there is no inside and "
-        "outside, and loops bound by their linking numbers alone");
+        "the surface touches or crosses itself: there is no inside or outside there, and "
+        "linking numbers alone decide which loops bound");
   for(const auto& lines : {lines_of(certificate.failure), remarks_on_sides(certificate)})
     remarks.insert(remarks.end(), lines.begin(), lines.end());
   return text + (certificate.pairing ? "; each tunnel loop crosses its handle loop once\n" : "\n") +
@@ -99,9 +101,9 @@ void check_loops(const Check_options& options, const Mesh& mesh, const Input_fil
 }
 
 std::string praise_of_skeleton(const Skeleton_lines& skeleton, std::size_t genus) {
-  return "the skeleton of " + counted(skeleton.points.size(), "point", "points") + " and " +
+  return "the skeleton (" + counted(skeleton.points.size(), "point", "points") + ", " +
          counted(skeleton.edges.size(), "edge", "edges") +
-         " lies inside and does not meet itself; " +
+         ") lies inside and does not intersect itself; " +
          (genus == 0   ? "it has no cycles, as there are no handles"
           : genus == 1 ? "its cycle is a basis of H1 of the solid"
                        : "its " + std::to_string(genus) + " cycles are a basis of H1 of the solid");

@@ -30,7 +30,7 @@ std::string name_of_loop(std::size_t i) {
 }
 
 std::string given_as(const std::string& what, const std::string& given, const std::string& is) {
-  return what + " is given as " + given + " and is " + is;
+  return what + " is given as " + given + ", but is " + is;
 }
 
 // Of what has faces.

@@ -100,13 +100,13 @@ void check_skipped(const Clean_command_options& options) {
     if(said[i].second &&
        std::count(options.skipped.begin(), options.skipped.end(), name_of(steps[i])) > 0)
       throw wrong_usage(std::string(said[i].first) +
-                        " concerns a step that --skip leaves out: " + name_of(steps[i]));
+                        " is for a step that --skip leaves out: " + name_of(steps[i]));
 }
 
 void check(const Clean_command_options& options) {
   check_skipped(options);
   if(options.result_file.empty() && !options.is_dry_run)
-    throw wrong_usage("give OUT, the file for the result, after the mesh, or --dry-run");
+    throw wrong_usage("OUT, the file for the result, is needed after the mesh, or --dry-run");
   check_mesh_format(options.result_file);
   check_name(options.json_file, "a report as JSON", {".json"});
   check_name(options.map_file, "a map as JSON", {".json"});

@@ -61,7 +61,7 @@ void check_options(const Cut_command_options& options) {
     throw wrong_usage("--uv needs a build with Eigen");
   if(options.is_for_textures() && (options.remedies.do_repair || options.remedies.weld))
     throw wrong_usage("--seams and --uv refer to the vertices and faces of the file as they are: "
-                      "mend it before with 'htloops repair'");
+                      "repair it first with 'htloops repair'");
   check_common_options(options);
 }
 
@@ -127,7 +127,7 @@ void write_files(const Cut_command_options& options,
 std::string words_of(const Charts& charts) {
   std::string words =
       counted(charts.number, "chart", "charts") +
-      formatted(": angles off by a factor of %.3g in the mean, areas by %.3g to %.3g\n",
+      formatted(": angles off by a factor of %.3g on average, areas by %.3g to %.3g\n",
                 charts.angle_distortion, charts.least_area, charts.largest_area);
   if(charts.number_of_fine_ones != 0)
     words += counted(charts.number_of_fine_ones, "chart has", "charts have") +

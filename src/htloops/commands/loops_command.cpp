@@ -169,7 +169,7 @@ surface, and a tunnel loop, which bounds in the space outside and crosses the ha
 With --basis shortest, loops are as short as possible, but need not bound on either side; the
 loops of a pair then cross an odd number of times.
 Before loops are written, they are certified to be a basis of H1(S; Z). On a surface with
-boundary, the basis includes all boundary curves except one of each component.
+boundary, the basis includes all boundary curves except one per component.
 )";
 
 constexpr char loops_examples[] = R"(Examples:
@@ -186,7 +186,7 @@ constexpr char loops_examples[] = R"(Examples:
   htloops loops scans --csv scans.csv --resume    the remaining meshes, after Ctrl-C
   cat cup.off | htloops loops - --format off      a mesh from a pipe
   htloops loops soup.obj --triangulate --repair --write-mesh sound.obj
-                                                  mend a mesh that is not acceptable as it is
+                                                  repair a mesh that is not acceptable as it is
 )";
 
 constexpr char measure_description[] =

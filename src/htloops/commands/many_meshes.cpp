@@ -40,9 +40,9 @@ Mesh_line solve_one(Loops_options options, const std::string& file) {
   return line_of(file, [&] {
     std::error_code error;
     if(std::filesystem::is_directory(path_of(file), error))
-      throw Failure(Exit_code::UNREADABLE_FILE,
-                    "no file in the folder " + printable(file) +
-                        " has the name of a mesh: " + words_of_mesh_endings());
+      throw Failure(Exit_code::UNREADABLE_FILE, "the folder " + printable(file) +
+                                                    " has no mesh files, which end in " +
+                                                    words_of_mesh_endings());
     return read_and_solve(options, false).second;
   });
 }
@@ -82,7 +82,7 @@ public:
     if(number_of_failures_ > 0)
       throw Failure(static_cast<Exit_code>(exit_code_),
                     std::to_string(number_of_failures_) + " of " + std::to_string(waiting_.size()) +
-                        " meshes have no answer");
+                        " meshes failed");
   }
 
 private:
@@ -151,8 +151,8 @@ void solve_all(Loops_options options, Line_printer& printer) {
   std::vector<std::thread> threads = started_threads(static_cast<std::size_t>(jobs - 1), work);
   if(!options.is_quiet && threads.size() + 1 < static_cast<std::size_t>(jobs))
     std::fprintf(stderr,
-                 "htloops: no more threads can be started than %zu, for as many meshes at a time\n",
-                 threads.size() + 1);
+                 "htloops: only %zu of %d threads could be started: fewer meshes at a time\n",
+                 threads.size() + 1, jobs);
   work();
   for(std::thread& thread : threads)
     thread.join();
@@ -170,7 +170,7 @@ void run_on_many_meshes(Loops_options options) {
     lines.resume();
     options.mesh_files = untold(options.mesh_files, lines);
     if(!options.is_quiet)
-      std::fprintf(stderr, "htloops: %zu of %zu meshes are in the files already\n",
+      std::fprintf(stderr, "htloops: %zu of %zu meshes are already in the files\n",
                    number_of_all - options.mesh_files.size(), number_of_all);
   }
   Line_printer printer(options, lines);

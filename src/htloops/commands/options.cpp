@@ -482,14 +482,14 @@ void check_name(const std::string& file, const char* what, const std::vector<std
   if(!extension.empty() && std::none_of(ends.begin(), ends.end(), is_extension))
     throw wrong_usage("cannot write " + printable(file) + ": the content is " + what +
                       ", so the name must end in " + boost::algorithm::join(ends, " or ") +
-                      ", or have none of the known endings");
+                      ", or have no ending");
 }
 
 std::string why_no_count(const std::string& text) {
   const bool is_count = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isdigit(c) != 0;
   });
-  return is_count && text.size() < 19 ? "" : text + " is not a count";
+  return is_count && text.size() < 19 ? "" : text + " is not a non-negative integer";
 }
 
 std::string why_not_finite(const std::string& text) {
@@ -563,8 +563,7 @@ std::string indented(const std::vector<std::string>& lines) {
   for(std::size_t i = 0; i < lines.size() && i < largest_number_of_lines; ++i)
     text += "\n  " + lines[i];
   if(lines.size() > largest_number_of_lines)
-    text +=
-        "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more such lines";
+    text += "\n  and " + std::to_string(lines.size() - largest_number_of_lines) + " more";
   return text;
 }
 

@@ -179,8 +179,8 @@ std::string words_of_bores(const Remove_options& options,
   const auto [least, largest] = std::minmax_element(diameters.begin(), diameters.end());
   return "no bore has a diameter in this range; " +
          counted(diameters.size(), "round bore has", "round bores have") +
-         (*least == *largest ? formatted(" %.6g", *least)
-                             : formatted(" %.6g to %.6g", *least, *largest)) +
+         (*least == *largest ? formatted(" diameter %.6g", *least)
+                             : formatted(" diameters from %.6g to %.6g", *least, *largest)) +
          "\n";
 }
 
@@ -207,8 +207,8 @@ table_and_summary(const Remove_options& options, const Removal_report& report, b
   if(!options.is_quiet)
     show_text(table_and_summary(options, report, true), false);
   throw wrong_usage(
-      "this is what --all would do; nothing was written: give --all, or choose handles, "
-      "for example by --shorter-than 3% or --pairs 0,2");
+      "this is what --all would do, but nothing was written: use --all, or choose handles, "
+      "for example with --shorter-than 3% or --pairs 0,2");
 }
 
 void run(const Remove_options& options) {

@@ -30,7 +30,7 @@ Vertex_properties values_to_keep(const Input_file& file,
   unread.insert(unread.end(), facts.unread.begin(), facts.unread.end());
   const std::string list = boost::algorithm::join(unread, "; ");
   if(!list.empty() && !is_quiet)
-    std::fprintf(stderr, "htloops: of %s is not kept: %s\n", file.name().c_str(), list.c_str());
+    std::fprintf(stderr, "htloops: not kept from %s: %s\n", file.name().c_str(), list.c_str());
   return kept;
 }
 

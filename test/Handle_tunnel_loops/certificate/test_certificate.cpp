@@ -227,7 +227,7 @@ TEST_P(Certificate_of_loops, RefusesAStepThatLiesElsewhere) {
       continue;
     ++number_of_changes;
     expect_not_closed(changed, name(loop) + ", step " + std::to_string(step) +
-                                   ": there is no face on which this step and the next both lie");
+                                   ": this step and the next lie on no common face");
   }
   EXPECT_GT(number_of_changes, 20);
 }
@@ -242,7 +242,7 @@ TEST_P(Certificate_of_loops, RefusesAGap) {
         continue;
       ++number_of_gaps;
       expect_not_closed(changed, name(i) + ", step " + std::to_string(j - 1) +
-                                     ": there is no face on which this step and the next both lie");
+                                     ": this step and the next lie on no common face");
     }
   EXPECT_GT(number_of_gaps, 0);
 }
@@ -283,7 +283,7 @@ TEST_P(Certificate_of_loops, RefusesNamesThatAreExchanged) {
     std::vector<Steps> changed = steps;
     std::swap(changed[2 * k], changed[2 * k + 1]);
     expect_wrong_pairs(changed, "pair " + std::to_string(k) +
-                                    ": the handle and the tunnel loop have each other's names");
+                                    ": the handle and the tunnel loop are swapped");
   }
   EXPECT_TRUE(number_of_changes > 0 || crosses_itself());
 }
@@ -340,15 +340,15 @@ TEST_P(Certificate_of_loops, RefusesALoopThatIsTheSumOfTheOthers) {
 TEST_P(Certificate_of_loops, RefusesAMissingPair) {
   std::vector<Steps> changed = steps;
   changed.resize(changed.size() - 2);
-  expect_no_basis(changed, "there are " + std::to_string(changed.size()) +
-                               " loops, but the genus asks for " + std::to_string(steps.size()));
+  expect_no_basis(changed, "there are " + std::to_string(changed.size()) + " loops instead of " +
+                               std::to_string(steps.size()));
 }
 
 TEST_P(Certificate_of_loops, RefusesAnExtraPair) {
   std::vector<Steps> changed = steps;
   changed.insert(changed.end(), {steps[0], steps[1]});
-  expect_no_basis(changed, "there are " + std::to_string(changed.size()) +
-                               " loops, but the genus asks for " + std::to_string(steps.size()));
+  expect_no_basis(changed, "there are " + std::to_string(changed.size()) + " loops instead of " +
+                               std::to_string(steps.size()));
   // Nothing more is found out about them, which might be very many.
   const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(changed));
   EXPECT_FALSE(c.pairing);
@@ -391,7 +391,7 @@ TEST(Certificate, HoldsForNoLoopsOnASphere) {
 TEST(Certificate, RefusesNoLoopsOnATorus) {
   const Certificate c = certify_handle_tunnel_loops(mesh_of({"torus", {100, 1, 0}}), Pairs());
   EXPECT_FALSE(c.basis);
-  EXPECT_EQ(c.failure, "there are 0 loops, but the genus asks for 2");
+  EXPECT_EQ(c.failure, "there are 0 loops instead of 2");
 }
 
 // Without a face, a loop that ran across it is not on the surface.
@@ -421,7 +421,8 @@ TEST(Certificate, RefusesAStepOnNoEdge) {
   steps[1][0].halfedge = Mesh::null_halfedge();
   const Certificate c = certify_handle_tunnel_loops(mesh, pairs_of(steps));
   EXPECT_FALSE(c.closed_on_surface);
-  EXPECT_EQ(c.failure.find("pair 0, tunnel, step 0: this step or the next lies on no edge"), 0u);
+  EXPECT_EQ(c.failure.find("pair 0, tunnel, step 0: this step or the next does not lie on an edge"),
+            0u);
 }
 
 TEST(Certificate, NeedsTheLoopsOfEveryComponent) {

@@ -96,10 +96,10 @@ TEST_F(Forged_skeleton, MustNotLackAnEdge) {
   for(const auto& [p, q] : some_on_cycles(4)) {
     Graph forged = graph;
     remove_edge(p, q, forged);
-    expect_failure(check(mesh, forged, pairs), "has 1 cycle, and the genus is 2");
+    expect_failure(check(mesh, forged, pairs), "has 1 cycle, but the genus is 2");
     // A limb in its place does not help.
     add_edge(p, add_point(forged, 0.9 * place(graph, p) + 0.1 * place(graph, q)), forged);
-    expect_failure(check(mesh, forged, pairs), "has 1 cycle, and the genus is 2");
+    expect_failure(check(mesh, forged, pairs), "has 1 cycle, but the genus is 2");
   }
 }
 
@@ -108,7 +108,7 @@ TEST_F(Forged_skeleton, MustNotHaveAnEdgeTwice) {
     Graph forged = graph;
     add_edge(e.first, e.second, forged);
     const Certificate c = check(mesh, forged, pairs);
-    expect_failure(c, "has 3 cycles, and the genus is 2");
+    expect_failure(c, "has 3 cycles, but the genus is 2");
     expect_failure(c, name(e) + " meets " + name(e));
   }
 }
@@ -131,9 +131,9 @@ TEST_F(Forged_skeleton, MustNotHaveATrivialCycleForAnother) {
     remove_edge(dropped[0].first, dropped[0].second, forged);
     const Certificate c = check(mesh, forged, pairs);
     EXPECT_TRUE(c.connected && c.inside && c.embedded) << c.failure;
-    expect_failure(c,
-                   "are no basis: the determinant of their linking numbers with the handle loops "
-                   "is 0, not 1");
+    expect_failure(
+        c, "are not a basis: the determinant of their linking numbers with the handle loops "
+           "is 0, not 1");
   }
 }
 
@@ -234,7 +234,7 @@ TEST(Forged_skeletons, MustNotHaveTwoInletsAtACurve) {
   add_edge(1, v, graph);
   const Certificate c = check(mesh, graph);
   expect_failure(c, "edge 1-3 leaves through the cap of the boundary curve");
-  expect_failure(c, "point 3 is no inlet");
+  expect_failure(c, "point 3 is not an inlet");
 }
 
 TEST(Forged_skeletons, MustNotEndAtACapUnlessInTheMiddle) {
@@ -245,7 +245,7 @@ TEST(Forged_skeletons, MustNotEndAtACapUnlessInTheMiddle) {
   expect_failure(check(mesh, graph), "edge 1-2 leaves through the cap of the boundary curve");
   graph[2].is_inlet = true;
   move(graph, 2, {4., 0.125, 0.});
-  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, Pairs()), "point 2 is no inlet");
+  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, Pairs()), "point 2 is not an inlet");
 }
 
 // A band along a knot: no cap of its curves is free of itself.

@@ -83,14 +83,14 @@ TEST(Skeleton_certificate, IsRefusedToLinesThatWindTwiceOrNotAtAll) {
   add_line(twice, wound(2., 2, 0.2, 30, 0.2), true);
   const Skeleton_certificate c = check(ring, twice);
   EXPECT_TRUE(c.connected && c.inside && c.embedded);
-  expect_failure(c, "the 1 cycle are no basis: the determinant of their linking numbers with the "
+  expect_failure(c, "the 1 cycle is not a basis: the determinant of their linking numbers with the "
                     "handle loops is 2, not 1");
   Graph small;
   add_line(small, {{2., 0., 0.}, {2.2, 0., 0.1}, {2.1, 0.2, 0.}}, true);
   expect_failure(check(ring, small), "is 0, not 1");
   Graph tree;
   add_line(tree, {{2., 0., 0.}, {2.2, 0., 0.1}}, false);
-  expect_failure(check(ring, tree), "has 0 cycles, and the genus is 1");
+  expect_failure(check(ring, tree), "has 0 cycles, but the genus is 1");
   Graph pieces;
   add_line(pieces, wound(2., 1, 0., 30), true);
   add_point(pieces, {2.2, 0., 0.1});
@@ -206,7 +206,7 @@ TEST(Skeleton_certificate, TakesEachComponentByItself) {
   for(const auto v : CGAL::make_range(vertices(rings)))
     rings[v].component = 7;
   expect_failure(CGAL::certify_curve_skeleton(chain, rings, find_loops(chain)),
-                 "is said to be of component 7, and the mesh has 2");
+                 "belongs to component 7, but the mesh has only 2");
 }
 
 // ---- boundaries
@@ -234,7 +234,7 @@ TEST(Skeleton_certificate, LetsInletsLieOnCaps) {
   Graph graph;
   add_line(graph, {{0.1, 0, 0}, {2, 0, 0}}, false);
   graph[0].is_inlet = true;
-  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, Pairs()), "point 0 is no inlet");
+  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, Pairs()), "point 0 is not an inlet");
 }
 
 // A torus without the faces around a vertex; its faces may look inside.

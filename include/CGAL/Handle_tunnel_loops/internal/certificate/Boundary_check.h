@@ -50,12 +50,13 @@ public:
     for(std::size_t i = 0; i < curves.size(); ++i) {
       const auto found = times.find(corners_of(curves[i]));
       if(found == times.end())
-        problems.push_back("boundary " + std::to_string(i) + " is no boundary curve of the mesh");
+        problems.push_back("boundary " + std::to_string(i) +
+                           " is not a boundary curve of the mesh");
       else if(found->second++ > 0)
-        problems.push_back("boundary " + std::to_string(i) + " is there twice");
+        problems.push_back("boundary " + std::to_string(i) + " appears twice");
     }
     if(curves.size() < expected.size())
-      problems.push_back("it has " + std::to_string(curves.size()) + " of the " +
+      problems.push_back("it lists only " + std::to_string(curves.size()) + " of the " +
                          std::to_string(expected.size()) + " boundary curves");
     return problems.empty() ? problems_of_waists(curves, waists) : problems;
   }
@@ -97,7 +98,7 @@ private:
       if(certifier_of({&waist}).are_closed_on_surface())
         pairs.insert(pairs.end(), {&curves[waist.pair_index()], &waist});
       else
-        problems.push_back(name(waist) + "is no closed curve on the surface");
+        problems.push_back(name(waist) + "is not a closed curve on the surface");
     for(const std::size_t i : certifier_of(pairs).pairs_of_different_class(Execution()))
       problems.push_back(name(*pairs[2 * i + 1]) + "is not homologous to the curve");
     return problems;

@@ -200,7 +200,7 @@ private:
       if(against > in_favour) {
         certificate_.types = false;
         failures.push_back("pair " + std::to_string(k) +
-                           ": the handle and the tunnel loop have each other's names");
+                           ": the handle and the tunnel loop are swapped");
       }
     }
   }

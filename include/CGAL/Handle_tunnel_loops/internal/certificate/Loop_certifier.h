@@ -224,8 +224,8 @@ public:
 
   bool are_basis() {
     if(!are_as_many_as_asked_for())
-      return fail("there are " + std::to_string(number_of_loops_) +
-                  " loops, but the genus asks for " + std::to_string(2 * genus()));
+      return fail("there are " + std::to_string(number_of_loops_) + " loops instead of " +
+                  std::to_string(2 * genus()));
     const std::vector<std::string> reasons = why_no_basis(number_of_loops_, chains_, used_edges_);
     failures_.insert(failures_.end(), reasons.begin(), reasons.end());
     return reasons.empty();
@@ -274,11 +274,11 @@ private:
     for(std::size_t i = 0; i < steps.size(); ++i) {
       const auto &a = steps[i], &b = steps[i + 1 == steps.size() ? 0 : i + 1];
       if(a.halfedge == Graph_traits::null_halfedge() || b.halfedge == Graph_traits::null_halfedge())
-        fails_at(i, "this step or the next lies on no edge");
+        fails_at(i, "this step or the next does not lie on an edge");
       else if(!(a.ratio >= 0. && a.ratio <= 1.))
         fails_at(i, "the ratio is not in [0, 1]");
       else if(!have_common_face(a, b))
-        fails_at(i, "there is no face on which this step and the next both lie");
+        fails_at(i, "this step and the next lie on no common face");
     }
   }
 

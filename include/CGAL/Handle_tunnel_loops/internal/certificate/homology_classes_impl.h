@@ -135,7 +135,7 @@ private:
       lattice.add({row->begin(), row->end()});
     if(lattice.is_full())
       return;
-    fail("the loops are no basis of the first homology group: their classes have determinant " +
+    fail("the loops are not a basis of the first homology group: their classes have determinant " +
          lattice.index().str() + "; " + name_of_loop(lattice.first_defect()) +
          " depends on the others");
     explain(rows);

@@ -88,7 +88,7 @@ public:
       if(get(marks, e)) {
         const Index h = halfedge_of(e);
         if(problem_.is_avoided(h))
-          throw No_cut_exception("an edge is to be kept and to be avoided: " + name_of(e));
+          throw No_cut_exception("an edge is both kept and avoided: " + name_of(e));
         set_rule(h, Edge_rule::KEEP);
       }
   }

@@ -255,7 +255,7 @@ private:
       cut.prune(v, [](Index) {});
     for(Index h = 0; h < problem_.rules.size(); ++h)
       if(problem_.is_avoided(h) && cut.contains(h))
-        throw No_cut_exception("the edges to avoid leave no cut: one of them is needed, edge " +
+        throw No_cut_exception("the edges to avoid leave no cut: the cut needs edge " +
                                std::to_string(problem_.mesh.original[halfedges().source(h)]) +
                                " - " +
                                std::to_string(problem_.mesh.original[halfedges().target(h)]));

@@ -77,7 +77,7 @@ public:
       numbers.take([&](Index loop, std::int64_t number) { rows[loop].emplace_back(i, number); });
     }
     if(loops.size() != cycles_.size())
-      throw std::invalid_argument("the loops are not as many as a basis has");
+      throw std::invalid_argument("the number of loops is not that of a basis");
     const Unimodular_system system(std::move(rows));
     std::vector<Chain> chains;
     std::vector<std::int64_t> flow(order_.size(), 0);
@@ -144,7 +144,7 @@ private:
   Chain combination(const std::optional<Class_vector>& factors,
                     std::vector<std::int64_t>& flow) const {
     if(!factors)
-      throw std::invalid_argument("the loops are no basis");
+      throw std::invalid_argument("the loops are not a basis");
     Chain chain;
     std::priority_queue<Index> places;
     const auto add_flow = [&](Index v, std::int64_t times) {

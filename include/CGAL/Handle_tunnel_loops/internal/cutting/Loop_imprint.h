@@ -267,7 +267,7 @@ public:
   /// takes a loop; throws if two of its places have no common face. The mesh is not changed yet.
   template <typename Loop> void add(const Loop& loop) {
     if(loop.steps().size() != loop.points().size())
-      throw std::invalid_argument("a loop has not as many points as places");
+      throw std::invalid_argument("a loop does not have as many points as places");
     std::vector<Place> places;
     for(std::size_t i = 0; i < loop.steps().size(); ++i)
       places.push_back(place_of(loop.steps()[i].halfedge, loop.steps()[i].ratio, loop.points()[i]));

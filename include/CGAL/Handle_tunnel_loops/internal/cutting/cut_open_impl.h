@@ -64,22 +64,23 @@ disk if it is in one piece, its Euler characteristic is 1, and its boundary one 
 inline void check_cut(const Cut_problem& problem, const Cut_graph& cut) {
   for(Index h = 0; h < problem.rules.size(); ++h)
     require_of_cut(!(cut.contains(h) ? problem.is_avoided(h) : problem.is_kept(h)),
-                   "an edge is not as it is wanted");
+                   "an edge violates its rule");
   const std::vector<Component_size> sizes = component_sizes(problem);
   std::vector<std::size_t> edges(sizes.size(), 0), copies(sizes.size(), 0);
   for(Index v = 0; v < problem.mesh.number_of_vertices(); ++v) {
-    require_of_cut(!problem.is_cone(v) || cut.degree(v) != 0, "it does not pass a cone");
+    require_of_cut(!problem.is_cone(v) || cut.degree(v) != 0, "it does not pass through a cone");
     edges[problem.mesh.component[v]] += cut.degree(v); // twice
     copies[problem.mesh.component[v]] += cut.degree(v) == 0 ? 1 : cut.degree(v);
   }
-  require_of_cut(number_of_pieces(problem, cut) == sizes.size(), "a component falls apart");
+  require_of_cut(number_of_pieces(problem, cut) == sizes.size(),
+                 "a component becomes disconnected");
   const std::vector<std::size_t> cycles = numbers_of_cycles(problem, cut);
   for(std::size_t c = 0; c < sizes.size(); ++c) {
     if(edges[c] == 0 && sizes[c].genus() == 0)
       continue;
     const std::size_t faces = sizes[c].halfedges / 3,
                       all_edges = sizes[c].halfedges / 2 + edges[c] / 2;
-    require_of_cut(copies[c] + faces == all_edges + 1, "a component is no disk");
+    require_of_cut(copies[c] + faces == all_edges + 1, "a component is not a disk");
     require_of_cut(cycles[c] == 1, "the boundary of a component is not one cycle");
   }
 }

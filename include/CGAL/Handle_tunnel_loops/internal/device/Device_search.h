@@ -179,7 +179,7 @@ public:
   std::vector<Dual_walks> found() {
     const Walk_counters counters = downloaded(executor_, walk_counters_)[0];
     if(counters.lost != 0)
-      throw Device_exception("the way back from a meeting of two fronts is lost");
+      throw Device_exception("the path back from a merge of two fronts is lost");
     std::vector<Found_walk> walks((std::min<std::size_t>)(counters.walks, walks_.span().size()));
     std::vector<Index> vertices(
         (std::min<std::size_t>)(counters.vertices, walk_vertices_.span().size()));

@@ -241,8 +241,8 @@ private:
     const std::size_t n = mesh.number_of_vertices();
     if(n < options.least_vertices)
       throw No_device_exception("a mesh of " + std::to_string(n) +
-                                " vertices does not pay for a device, but " +
-                                std::to_string(options.least_vertices) + " do");
+                                " vertices is too small for a device: at least " +
+                                std::to_string(options.least_vertices) + " are required");
     return make_cuda_solver(mesh, options);
   }
 };

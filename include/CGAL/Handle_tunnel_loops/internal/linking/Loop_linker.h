@@ -163,7 +163,7 @@ private:
       Walk walk = walker_(*loops_[i]);
       if(walker_.has_failed() && is_first) {
         walk = walker_.straight(*loops_[i]);
-        lasting_problems_.emplace(i, "the faces without area at vertex " +
+        lasting_problems_.emplace(i, "degenerate faces at vertex " +
                                          std::to_string(walker_.failure()) + " enclose a handle");
       }
       if(is_first || (!walker_.has_failed() && walk != walks_[i])) {
@@ -210,7 +210,7 @@ private:
   bool note_problems(const Linking& numbers, const Surface_curves& curves) {
     if(numbers.has_too_many_contacts) {
       for(std::size_t i = 0; i < loops_.size(); ++i)
-        add_problem(i, "the surface touches itself in very many places");
+        add_problem(i, "the surface touches itself in too many places");
       return false;
     }
     bool is_any_avoided = false;

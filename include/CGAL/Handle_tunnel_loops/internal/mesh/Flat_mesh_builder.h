@@ -116,7 +116,7 @@ public:
     if(!are_triangles || number_of_halfedges != num_halfedges(tm_))
       check_halfedges(vertices);
     if(number_of_halfedges == 0)
-      throw Invalid_mesh_exception(Mesh_defect::EMPTY, {}, "the mesh has no face");
+      throw Invalid_mesh_exception(Mesh_defect::EMPTY, {}, "the mesh has no faces");
     check_number_of_halfedges(number_of_halfedges + 2 * number_of_borders);
   }
 
@@ -193,7 +193,7 @@ private:
       const std::size_t from = caller_index(source(h, tm_)), to = caller_index(target(h, tm_));
       if(!is_in_triangle(h))
         throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, from, to,
-                          "a face is not a triangle, at its");
+                          "a face at an edge is not a triangle");
       valence.resize((std::max)(valence.size(), to + 1), 0);
       ++valence[to];
     }
@@ -386,7 +386,7 @@ private:
                           "the faces around a vertex form more than one fan");
     if(parallel_edges.found())
       throw_vertex_defect(Mesh_defect::PARALLEL_EDGES, mesh_.original[parallel_edges.get()],
-                          "two edges join a vertex to the same neighbour");
+                          "two edges join a vertex to the same neighbor");
   }
 
   Index hub_at(std::size_t i) const {

@@ -48,7 +48,7 @@ CGAL_HTL_CORE void Triangle_connectivity::check_corners(Execution execution) con
     return;
   const Index* const c = source_.data() + 3 * degenerate.get();
   throw Invalid_mesh_exception(Mesh_defect::DEGENERATE_FACE, {c[0], c[1], c[2]},
-                               "a face names the same vertex twice: face " +
+                               "a face uses the same vertex twice: face " +
                                    std::to_string(degenerate.get()));
 }
 
@@ -82,8 +82,8 @@ CGAL_HTL_CORE void Triangle_connectivity::throw_defect(Index near_vertex, Edge e
   throw_edge_defect(is_crowded ? Mesh_defect::NON_MANIFOLD_EDGE
                                : Mesh_defect::INCONSISTENT_ORIENTATION,
                     near_vertex, edge[0].far_vertex,
-                    is_crowded ? "more than two faces meet in an"
-                               : "two faces traverse in the same direction their common");
+                    is_crowded ? "more than two faces share an edge"
+                               : "two faces traverse their common edge in the same direction");
 }
 
 CGAL_HTL_CORE void Triangle_connectivity::find_opposites(Execution execution) {

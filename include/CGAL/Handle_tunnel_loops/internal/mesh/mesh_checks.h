@@ -85,7 +85,7 @@ bool is_closed_after_check(Execution execution, const TriangleMesh& tm, VertexIn
       break;
     if(!is_border(h, tm) && !is_good(h))
       throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, get(index, source(h, tm)),
-                        get(index, target(h, tm)), "a face is not a triangle, at its");
+                        get(index, target(h, tm)), "a face at an edge is not a triangle");
   }
   return is_closed;
 }

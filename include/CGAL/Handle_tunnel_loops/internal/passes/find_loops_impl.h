@@ -98,8 +98,7 @@ CGAL_HTL_CORE Certificate find_loops(Execution execution,
   Certificate certificate =
       caller.certify(execution, surface, classes, std::move(*relations), progress);
   if(!certificate)
-    throw Uncertified_loops_exception("the loops found fail their certificate: " +
-                                      certificate.failure);
+    throw Uncertified_loops_exception("the loops found are not certified: " + certificate.failure);
   return certificate;
 }
 

@@ -118,8 +118,8 @@ private:
       if(!std::all_of(at.begin(), at.end(), [](double x) { return std::isfinite(x); }))
         fail("point " + name(p) + " is not finite");
       else if(skeleton_.component_of[p] >= mesh_.seeds.size())
-        fail("point " + name(p) + " is said to be of component " +
-             std::to_string(skeleton_.component_of[p]) + ", and the mesh has " +
+        fail("point " + name(p) + " belongs to component " +
+             std::to_string(skeleton_.component_of[p]) + ", but the mesh has only " +
              std::to_string(mesh_.seeds.size()));
       else
         continue;
@@ -167,7 +167,7 @@ private:
     const std::size_t n = cycles.parts()[parts[0]].cycles.size();
     return n == genera_[c]
                ? ""
-               : " has " + cycles_in_words(n) + ", and the genus is " + std::to_string(genera_[c]);
+               : " has " + cycles_in_words(n) + ", but the genus is " + std::to_string(genera_[c]);
   }
 
   // ---- inside
@@ -185,8 +185,9 @@ private:
                       of_component(skeleton_.component_of[p]));
     for(Index p = 0; p < skeleton_.points.size(); ++p)
       if(skeleton_.is_inlet[p] && inlets.hub(p) == no_index)
-        lines.push_back("point " + name(p) +
-                        " is no inlet: not the only leaf in the middle of a boundary curve");
+        lines.push_back(
+            "point " + name(p) +
+            " is not an inlet: it is not the only leaf at the center of a boundary curve");
     certificate_.inside = lines.empty();
     fail(lines, "that are not inside");
   }
@@ -197,7 +198,7 @@ private:
     for(Index hub : Hub_places(execution_, mesh_, places_).caps_met(tree))
       lines.push_back("the cap of the boundary curve at vertex " +
                       std::to_string(mesh_.index_of_caller(hub)) +
-                      " meets itself, the surface or another cap: no inside is known there");
+                      " meets itself, the surface or another cap: the inside is not known there");
     do_caps_meet_ = !lines.empty();
     if(do_caps_meet_)
       certificate_.inside = certificate_.basis = false;
@@ -277,7 +278,7 @@ private:
       for(std::size_t i = 0; i < walks_[w].size(); ++i) {
         const Index u = walks_[w][i], v = walks_[w][i + 1 == walks_[w].size() ? 0 : i + 1];
         if(mesh_.position(u, v) == mesh_.ring(u).size()) {
-          fail("handle loop " + std::to_string(w) + " is no closed curve on the surface");
+          fail("handle loop " + std::to_string(w) + " is not a closed curve on the surface");
           return false;
         }
       }
@@ -332,7 +333,7 @@ private:
     if(d == 1)
       return "";
     return "the " + cycles_in_words(cycles.size()) + of_component(c) +
-           " are no basis: the determinant of " +
+           (cycles.size() == 1 ? " is" : " are") + " not a basis: the determinant of " +
            "their linking numbers with the handle loops is " + d.str() + ", not 1";
   }
 

@@ -54,7 +54,7 @@ CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate, bool wit
   certificate.failure =
       "the surface" +
       std::string(with_caps ? ", with the caps that close its boundary curves," : "") +
-      " crosses or touches itself: nothing is proved of what lies in it" +
+      " crosses or touches itself: nothing can be proved about its inside" +
       (certificate.failure.empty() ? "" : "\n") + certificate.failure;
 }
 

@@ -250,8 +250,8 @@ private:
     for(Crossing_loop& loop : loops)
       meetings_.push_back({std::move(loop), no_index, no_index, no_index, area_of(covered)});
     if(meetings_.size() > mesh_.genus)
-      throw Literal_failure_exception("the fronts met more often than there are handles, " +
-                                      std::to_string(mesh_.genus));
+      throw Literal_failure_exception("the fronts merged more often than there are handles (" +
+                                      std::to_string(mesh_.genus) + ")");
   }
 
   // Of each of the layers the front, of those around what is covered, that has most of it behind.

@@ -235,8 +235,8 @@ private:
     Band_pass pass(mesh_, constants_, seeds_, rules_);
     run(pass, progress, statistics);
     if(meetings_.size() != mesh_.genus)
-      throw Literal_failure_exception("the fronts met " + std::to_string(meetings_.size()) +
-                                      " times, and there are " + std::to_string(mesh_.genus) +
+      throw Literal_failure_exception("the fronts merged " + std::to_string(meetings_.size()) +
+                                      " times, but there are " + std::to_string(mesh_.genus) +
                                       " handles");
     keep(pass.layers_of_vertices(), pass.times());
   }
@@ -289,8 +289,8 @@ private:
     std::vector<Handle_exchange::Numbers> of_handles, of_tunnels;
     for(Index k = 0; k < tunnels_.size(); ++k) {
       if(!is_tunnel(tunnels_[k], k, with_handles))
-        throw Literal_failure_exception("what was found for handle " + std::to_string(k) +
-                                        " is no tunnel of it");
+        throw Literal_failure_exception("the loop found for handle " + std::to_string(k) +
+                                        " is not its tunnel loop");
       of_handles.push_back(numbers(tunnels_[k], with_handles));
       of_tunnels.push_back(numbers(tunnels_[k], with_tunnels));
     }

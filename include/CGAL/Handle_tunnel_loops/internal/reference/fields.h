@@ -106,7 +106,8 @@ inline void check_rules(const Literal_rules& rules) {
   if(!(rules.mean_edge_length > 0.) || !std::isfinite(rules.mean_edge_length) ||
      !is_threshold(rules.band_threshold) || !is_threshold(rules.contact_threshold) ||
      !(rules.offset > 0.) || !std::isfinite(rules.offset))
-    throw std::invalid_argument("lengths of literal rules are positive, thresholds in [0, 1)");
+    throw std::invalid_argument(
+        "lengths of literal rules must be positive, and thresholds in [0, 1)");
 }
 
 /// the constants of the fields.

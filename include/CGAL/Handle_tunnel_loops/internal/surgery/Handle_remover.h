@@ -68,8 +68,8 @@ template <typename Pair> struct Handle_selection : Removal_options
       throw std::invalid_argument("the target genus is " + std::to_string(*target_genus) +
                                   ", but the surface has genus " + std::to_string(genus));
     if(!methods.empty() && methods.rbegin()->first >= pairs.size())
-      throw std::invalid_argument("there is no pair " + std::to_string(methods.rbegin()->first) +
-                                  " to be removed");
+      throw std::invalid_argument("pair " + std::to_string(methods.rbegin()->first) +
+                                  " does not exist");
     std::vector<Removal_task> selected, kept;
     for(std::size_t i = 0; i < pairs.size(); ++i) {
       const Loop& first = pairs[i].loop(first_type(i, pairs[i]));
@@ -78,7 +78,7 @@ template <typename Pair> struct Handle_selection : Removal_options
       (is_wanted(i, pairs[i], first) ? selected : kept).push_back(std::move(task));
     }
     if(box && selected.empty())
-      throw std::invalid_argument("no loop that a handle could be removed along lies in the box");
+      throw std::invalid_argument("the box contains no loop along which a handle can be removed");
     std::stable_sort(selected.begin(), selected.end(),
                      [](const Removal_task& a, const Removal_task& b) {
                        return a.choices.front().length < b.choices.front().length;
@@ -347,7 +347,7 @@ private:
                                                                          face_index);
     certifier.set_loops(execution, loops);
     if(!certifier.are_closed_on_surface())
-      throw std::invalid_argument("the loops are not of this mesh: " +
+      throw std::invalid_argument("the loops belong to another mesh: " +
                                   certifier.failures().front());
   }
 
@@ -376,18 +376,18 @@ private:
     const double least = options_.minimal_bore_diameter.value_or(0.),
                  most = options_.maximal_bore_diameter.value_or(least);
     if(!(least >= 0. && least <= most))
-      throw std::invalid_argument("the range of diameters of bores is empty");
+      throw std::invalid_argument("the range of bore diameters is empty");
     if(wanted.method == Removal_method::CUT)
-      throw std::invalid_argument("bores are filled, and not cut");
+      throw std::invalid_argument("bores can only be filled, not cut");
     wanted.method = Removal_method::FILL;
   }
 
   // Which are filled, and the last one of which is a neck.
   void check_channels(Handle_selection<Pair>& wanted) const {
     if(!(options_.maximal_neck_length > 0.))
-      throw std::invalid_argument("channels are removed up to a length: that of necks");
+      throw std::invalid_argument("removing channels requires the maximal neck length");
     if(wanted.method == Removal_method::CUT)
-      throw std::invalid_argument("channels are filled, and not cut");
+      throw std::invalid_argument("channels can only be filled, not cut");
     wanted.method = Removal_method::FILL;
   }
 
@@ -398,7 +398,7 @@ private:
     report_.components_after = count.components;
     if(report_.genus_after + report_.removed.size() != report_.genus_before ||
        report_.components_after != report_.components_before + report_.removed_necks.size())
-      throw std::logic_error("handles were removed, but the genus does not say so");
+      throw std::logic_error("handles were removed, but the genus did not change accordingly");
   }
 
   // Patches are numbered as handles are described; the first of those removed together has one.

@@ -246,8 +246,8 @@ private:
   // and says more than what the caps do to each other.
   std::optional<Obstacle>
   contact_of_caps(const Patch& patch, const Placed_patch& placed, const Mesh_contacts& contacts) {
-    const Obstacle each_other{Obstacle::CAPS_CROSS, "the caps would meet each other"},
-        surface{Obstacle::SURFACE_IN_THE_WAY, "the caps would meet the surface"};
+    const Obstacle each_other{Obstacle::CAPS_CROSS, "the caps would intersect each other"},
+        surface{Obstacle::SURFACE_IN_THE_WAY, "the caps would intersect the surface"};
     if(!placed.has_areas())
       return each_other;
     const bool is_surface_first = obstacle_.kind >= Obstacle::SURFACE_IN_THE_WAY;

@@ -46,7 +46,7 @@ public:
       : task_(&task)
       , is_damaged_(task.choices.size(), 0)
       , separates_(task.choices.size(), 0)
-      , obstacles_(task.choices.size(), Obstacle{Obstacle::NO_LOOP, "there is no loop"}) {}
+      , obstacles_(task.choices.size(), Obstacle{Obstacle::NO_LOOP, "no loop"}) {}
 
   /// to be called once, before all else.
   void find_loops(const Surgery_mesh& mesh) {
@@ -343,7 +343,7 @@ private:
       return {Obstacle::NO_REGION, is_damaged_[loop] ? "another handle was removed across the loop"
                                                      : "the loop is not simple"};
     if(is_on_boundary(mesh, walks_[loop]))
-      return {Obstacle::NO_REGION, "the loop comes to the boundary"};
+      return {Obstacle::NO_REGION, "the loop touches the boundary"};
     return {Obstacle::NO_REGION, "the mesh is too coarse along the loop"};
   }
 

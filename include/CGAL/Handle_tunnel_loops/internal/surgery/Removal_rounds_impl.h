@@ -183,7 +183,7 @@ private:
         return false;
       if(find_companions(candidate))
         return true;
-      candidate.fail({Obstacle::NO_REGION, "there are other handles around"});
+      candidate.fail({Obstacle::NO_REGION, "other handles are too close"});
       candidate.propose(mesh_, layout);
     }
     return false;

@@ -100,7 +100,7 @@ inline bool is_closed_manifold(Execution execution, const Surgery_mesh& mesh) {
 /// may make of it. Linear in the size of the mesh.
 inline Surface_count count_surface(Execution execution, const Surgery_mesh& mesh) {
   if(!is_closed_manifold(execution, mesh))
-    throw std::logic_error("the surface is no closed manifold after the removal of handles");
+    throw std::logic_error("the surface is not a closed manifold after the removal of handles");
   Surface_count count;
   count.components = number_of_pieces(execution, mesh);
   std::size_t vertices = 0;

@@ -263,12 +263,12 @@ CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,
   if(change.box_growth > rounding * size_)
     why << "the bounding box would grow by " << change.box_growth;
   else if(!intended.may_remove && !is_little(change.volume_removed))
-    why << "it would take away solid, of volume " << change.volume_removed;
+    why << "it would remove solid of volume " << change.volume_removed;
   else if(!intended.may_add && !is_little(change.volume_added))
-    why << "it would add solid, of volume " << change.volume_added;
+    why << "it would add solid of volume " << change.volume_added;
   else if(change.cap_ratio > most_of_circle)
     why << "a cap would have " << change.cap_ratio
-        << " times the area of a circle as long as its rim";
+        << " times the area of a circle with the same perimeter";
   else if(change.new_fold > sharpest_fold)
     why << "new faces would be folded by " << change.new_fold << " degrees";
   else if(change.fold_at_membranes > sharpest_at_membranes)
@@ -277,7 +277,7 @@ CGAL_HTL_CORE std::string Shape_judge::objection(const Judged_change& change,
   else if(change.displacement > most_distance(intended))
     why << "a cap would be " << change.displacement << " away from the surface";
   else if(change.burial > most_distance(intended))
-    why << "surface would be taken away that is " << change.burial << " away from the caps";
+    why << "it would remove surface at a distance of " << change.burial << " from the caps";
   return why.str();
 }
 

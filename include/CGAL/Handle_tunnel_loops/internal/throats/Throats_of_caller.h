@@ -90,13 +90,13 @@ public:
                       const GeomTraits& traits,
                       OutputIterator out) const {
     if(!(least_prominence > 0.))
-      throw std::invalid_argument("throats(): the least prominence is to be positive");
+      throw std::invalid_argument("throats(): the least prominence must be positive");
     std::vector<Crossing_loop> known;
     for(const auto& pair : pairs)
       for(const auto* loop : {&pair.handle(), &pair.tunnel()})
         known.push_back(beside(*loop));
     if(known.size() != 2 * surface_.mesh.genus)
-      throw std::invalid_argument("throats(): there are to be as many pairs as the genus says");
+      throw std::invalid_argument("throats(): the number of pairs must equal the genus");
     Throat_limits limits = {least_prominence, {}};
     for(const Vertex v : through)
       limits.through_vertices.push_back(place_of(v));
