@@ -292,6 +292,8 @@ foreach(words IN ITEMS "the number of components is given as 2, but is 1"
 endforeach()
 file(WRITE "${FOLDER}/wrong.json" "{ \"format\": \"htloops/1\" ")
 run(3 check mesh.off wrong.json)
+run(3 check mesh.off reeb.json)
+expect_match("${errors}" "reeb.json: the document has the format htloops-reeb/1, not htloops/1; 'htloops loops MESH -o")
 
 # Wrong usage.
 run(2)

@@ -96,6 +96,13 @@ struct Json_node
     return {value[0].get<long long>(), value[1].get<long long>(), value[2].get<long long>()};
   }
 
+  /// fails if a document has another format than a known one; `source` says what writes that.
+  void require_format(const char* known, const char* source) const {
+    const Json_node format = member("format");
+    if(!format.is(known))
+      fail("has the format " + format.text() + ", not " + known + "; " + source);
+  }
+
   bool is(const char* text) const { return value.is_string() && value == text; }
 
   std::size_t size() const { return value.size(); }

@@ -53,8 +53,7 @@ Basis_kind basis_kind(const Json_node& document) {
 }
 
 Loops_record read_document(const Json_node& document) {
-  if(!document.member("format").is(known_format))
-    document.fail("does not have the format " + std::string(known_format));
+  document.require_format(known_format, "'htloops loops MESH -o FILE.json' writes loops");
   Loops_record record;
   const Json_node mesh = document.member("mesh");
   record.number_of_vertices = mesh.member("vertices").count();

@@ -127,8 +127,7 @@ public:
       : lines_(file) {}
 
   Skeleton_record read(const Json_node& document) {
-    if(!document.member("format").is(json_format))
-      document.fail("does not have the format " + std::string(json_format));
+    document.require_format(json_format, "'htloops skeleton MESH -o FILE.json' writes skeletons");
     document.member("nodes").for_each("node", [&](const Json_node& node) { add_node(node); });
     document.member("arcs").for_each("arc", [&](const Json_node& arc) { add_arc(arc); });
     Skeleton_record record = {lines_.finish(true), {}};

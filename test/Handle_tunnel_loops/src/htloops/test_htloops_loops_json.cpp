@@ -180,8 +180,10 @@ TEST_F(Loops_json, says_where_a_document_is_malformed) {
   EXPECT_THROW(read_loops_json(folder_.write("c.json", "{ \"format\": ")), Failure);
   expect_unreadable("the document is not an object", [](json& d) { d = json::array(); });
   expect_unreadable("has no member 'format'", [](json& d) { d.erase("format"); });
-  expect_unreadable("does not have the format htloops/1",
-                    [](json& d) { d["format"] = "htloops/2"; });
+  expect_unreadable("format is not a string", [](json& d) { d["format"] = 1; });
+  expect_unreadable(
+      "the document has the format htloops-reeb/1, not htloops/1; 'htloops loops MESH",
+      [](json& d) { d["format"] = "htloops-reeb/1"; });
   expect_unreadable("mesh has no member 'faces'", [](json& d) { d["mesh"].erase("faces"); });
   expect_unreadable("vertices is not a non-negative integer",
                     [](json& d) { d["mesh"]["vertices"] = -1; });
