@@ -129,16 +129,16 @@ def check_figures():
             complain(f"{file.relative_to(ROOT)}: no commit at which its figures were measured")
 
 
-def check_pictures():
+def check_files():
     settings = (MANUAL / "Doxyfile.in").read_text(encoding="utf-8")
     for page in pages():
-        for picture in re.findall(r'<img src="([^"]+)"', page.read_text(encoding="utf-8")):
-            if f"/{picture}" not in settings:
-                complain(f"Doxyfile.in: {picture} is not in it")
+        for file in re.findall(r'<(?:img src|a href)="([^":#]+)"', page.read_text(encoding="utf-8")):
+            if f"/{file} " not in settings and f"/{file}\n" not in settings:
+                complain(f"Doxyfile.in: {file} is not in it")
 
 
 for check in (check_lengths, check_labels, check_links, check_reference, check_parameters, check_phrases, check_figures,
-              check_pictures):
+              check_files):
     check()
 for finding in sorted(findings):
     print(finding, file=sys.stderr)

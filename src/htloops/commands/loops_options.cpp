@@ -122,7 +122,8 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   command.add_flag("--no-refine", options.do_not_refine,
                    "keep the handle loops of the first pass: faster");
   command.add_flag("--no-tighten", options.do_not_tighten,
-                   "neither tighten the loops nor look for shorter ones: faster");
+                   "neither tighten the loops nor look for shorter ones; implies\n"
+                   "--no-coarsen, so it is slower on large meshes");
   command.add_flag("--no-coarsen", options.do_not_coarsen,
                    "always find the loops on the mesh itself, never on a coarse mesh of the same\n"
                    "topology: slower");
