@@ -23,6 +23,8 @@ LIMITS = {
 PHRASES = ("letter of the paper", "in whose place", "nobody's business", "ends unheard", "second look", "pulled taut",
            "often forth as back", "comes apart", "come apart", "falls open", "each other's name", "hang on a",
            "less long than thick", "not fit as it is", "as a rule", "is told", "are told")
+PRINTED = ("mended", "mends this", "mends it", "for want of", "its box", "centre of", "boundary curves but", "is no array",
+           "have each other's", "comes off", "is to be positive")
 findings = []
 
 
@@ -122,6 +124,16 @@ def check_phrases():
                 complain(f"{page.relative_to(ROOT)}: \"{phrase}\"")
 
 
+def check_messages():
+    for room in "src", "python", "include":
+        for file in sorted(file for file in (ROOT / room).rglob("*") if file.suffix in (".cpp", ".h", ".py", ".js")):
+            for line in file.read_text(encoding="utf-8").splitlines():
+                for text in [] if line.lstrip().startswith(("//", "#", "*")) else re.findall(r'"[^"]*"', line):
+                    for phrase in PRINTED:
+                        if re.search(rf"\b{phrase}\b", text):
+                            complain(f"{file.relative_to(ROOT)}: {text}")
+
+
 def check_figures():
     """Of each table of figures it is known at which commit it was measured."""
     for file in sorted((ROOT / "benchmark/results").glob("*.md")):
@@ -137,8 +149,8 @@ def check_files():
                 complain(f"Doxyfile.in: {file} is not in it")
 
 
-for check in (check_lengths, check_labels, check_links, check_reference, check_parameters, check_phrases, check_figures,
-              check_files):
+for check in (check_lengths, check_labels, check_links, check_reference, check_parameters, check_phrases,
+              check_messages, check_figures, check_files):
     check()
 for finding in sorted(findings):
     print(finding, file=sys.stderr)

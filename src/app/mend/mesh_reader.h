@@ -46,7 +46,7 @@ Mended_mesh mesh_of(Soup soup, const Input_file& file, const Remedies& remedies)
 /// the same of a mesh that is to be fit as it is.
 Mesh read_mesh(Input_file file);
 
-/// which options would make a refused soup fit, found out by trying: "--repair mends this"; or that
+/// which options would make a refused soup fit, found out by trying: "--repair fixes this"; or that
 /// none would. `given` are the remedies that have been applied to no avail.
 std::string
 words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Remedies& given);
