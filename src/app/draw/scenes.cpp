@@ -525,6 +525,8 @@ htl_scene::Scene scene_of_dual_cuts(const View& view,
                   {"across tunnel loops", colour_of(Loop_type::TUNNEL)}};
   if(!scene.lines.empty() && scene.lines.back().group == 2) // they come last
     scene.groups.push_back({"across boundary curves", colour_of(Loop_type::BOUNDARY)});
+  for(std::size_t i = 0; i < cuts.lines.size(); ++i)
+    scene.lines[i].label = std::to_string(cuts.lines[i].index);
   look(view, scene);
   return scene;
 }

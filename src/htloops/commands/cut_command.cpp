@@ -229,7 +229,7 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
              "with the mesh: .msh .msh2 .vtu .vtp. Alone, it is also what --lines, --picture and\n"
              "--html show");
   add_lines_option(command, options, "the cut edges");
-  add_picture_options(command, options, "the cut", false);
+  add_picture_options(command, options, "the cut");
   add_page_option(command, options, "the mesh and the cut");
   add_view_options(command, options);
 }

@@ -390,7 +390,6 @@ void add_lines_option(CLI::App& command,
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         bool has_words,
                          const std::string& opacity) {
   if(!has_pictures)
     return;
@@ -408,8 +407,7 @@ void add_picture_options(CLI::App& command,
   add_part(command, "--opacity", options.picture.opacity,
            "opacity of the surface in front of lines, 0 to 1 (1 hides them);\ndefault: " + opacity)
       ->needs("--picture");
-  if(has_words)
-    add_word_options(command, options.picture);
+  add_word_options(command, options.picture);
 }
 
 void add_closeup_option(CLI::App& command, Common_options& options) {

@@ -177,7 +177,6 @@ void add_lines_option(CLI::App& command,
 void add_picture_options(CLI::App& command,
                          Common_options& options,
                          const std::string& what,
-                         bool has_words = true,
                          const std::string& opacity = "0.5, and more the more lines there are");
 void add_closeup_option(CLI::App& command, Common_options& options);
 void add_page_option(CLI::App& command, Common_options& options, const std::string& what);

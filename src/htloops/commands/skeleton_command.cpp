@@ -147,7 +147,7 @@ void add_output_options(CLI::App& command, Skeleton_command_options& options) {
   add_output(command, "--parts", "FILE.ply", options.parts_file,
              "the mesh with vertices colored by arc");
   add_output(command, "--csv", "FILE.csv", options.csv_file, "a table with a row for each arc");
-  add_picture_options(command, options, "the skeleton", true,
+  add_picture_options(command, options, "the skeleton",
                       formatted("%g", opacity_around_bones_in_pictures));
   add_page_option(command, options, "the mesh and the skeleton");
   add_gltf_option(command, options, "the arcs");

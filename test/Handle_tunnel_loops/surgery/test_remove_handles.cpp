@@ -252,7 +252,7 @@ TEST(Handle_removal, ObeysTheMethodOfEachPair) {
   Mesh mesh = original;
   Options options;
   options.methods[4] = htl::Removal_method::CUT;
-  expect_refusal(mesh, params::removal_options(options), "no pair 4");
+  expect_refusal(mesh, params::removal_options(options), "pair 4 does not exist");
 }
 
 // Cuts take solid away and fills put it in; nothing leaves the box, and no cap is much larger than
@@ -769,7 +769,7 @@ TEST(Channels_removal, RefusesWhatMakesNoSense) {
   Mesh mesh = mesh_of(recipe("torus", 600, 1));
   Options options = with(&Options::maximal_neck_length, 0.);
   options.only_channels = true;
-  expect_refusal(mesh, params::removal_options(options), "up to a length");
+  expect_refusal(mesh, params::removal_options(options), "requires the maximal neck length");
   options.maximal_neck_length = 1.;
   options.method = htl::Removal_method::CUT;
   expect_refusal(mesh, params::removal_options(options), "filled, not cut");
@@ -778,7 +778,7 @@ TEST(Channels_removal, RefusesWhatMakesNoSense) {
 TEST(Handle_removal, RefusesWhatMakesNoSense) {
   Mesh mesh = mesh_of(recipe("torus", 600, 1));
   expect_refusal(mesh, wish(&Options::target_genus, 2), "target genus is 2");
-  expect_refusal(mesh, wish(&Options::box, CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "in the box");
+  expect_refusal(mesh, wish(&Options::box, CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "the box contains no loop");
   expect_refusal(mesh, wish(&Options::maximal_length, -1.), "not positive");
   expect_refusal(mesh, wish(&Options::minimal_piece_share, 0.7), "share");
   Pairs pairs = find_loops(mesh);
