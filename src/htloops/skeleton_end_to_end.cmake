@@ -181,6 +181,8 @@ file(WRITE "${FOLDER}/crossing.off" "OFF\n8 8 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n1 1
 run(0 skeleton crossing.off -o crossing.json)
 expect_match("${output}" "genus 0 in 2 components: ")
 expect_match("${output}" "not certified:\n  the surface crosses or touches itself: nothing can be proved")
+run(0 skeleton crossing.off -q -o crossing.json)
+expect_match("${errors}" "note: the skeleton of crossing.off is not certified:\n  the surface crosses or touches itself")
 file(READ "${FOLDER}/crossing.json" crossing)
 string(JSON inside GET "${crossing}" certificate inside)
 expect_equal("${inside}" OFF)

@@ -16,5 +16,6 @@ set(HTLOOPS_COMMANDS_SOURCES
   commands/repair_command.cpp
   commands/skeleton_command.cpp
   commands/tool.cpp
+  commands/usage_messages.cpp
   commands/vertex_values.cpp
   terminal/terminal.cpp)

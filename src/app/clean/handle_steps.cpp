@@ -88,9 +88,11 @@ std::string words_of_left(const Mesh& mesh, const Pairs& pairs) {
   const auto number = std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) {
     return (std::min)(pair.handle().length(), pair.tunnel().length()) < small * diagonal_of(mesh);
   });
-  return counted(pairs.size(), "handle", "handles") + ", " +
-         (number == 0 ? "none of them" : std::to_string(number) + " of them") +
-         " with a loop shorter than 3% of the diagonal: use --noise-below or --genus to remove "
+  return (pairs.size() == 1
+              ? std::string("1 handle, ") + (number == 0 ? "without" : "with")
+              : std::to_string(pairs.size()) + " handles, " +
+                    (number == 0 ? "none" : std::to_string(number)) + " of them with") +
+         " a loop shorter than 3% of the diagonal: use --noise-below or --genus to remove "
          "some";
 }
 
@@ -128,6 +130,9 @@ Handle_step remove_small_handles(const Mesh& mesh,
   Handle_step step{{Clean_step::HANDLES}};
   if(!noise_below && !options.genus && !pairs.empty())
     step.record.left = {words_of_left(mesh, pairs)};
+  if(pairs.size() < options.genus.value_or(0))
+    step.record.left = {counted(pairs.size(), "handle", "handles") +
+                        ", fewer than --genus asks for"};
   if(pairs.size() <= options.genus.value_or(0) || !(noise_below || options.genus))
     return step;
   Removal_options wanted;

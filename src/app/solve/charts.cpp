@@ -327,6 +327,10 @@ Charts make_charts(const generators::Soup& opened) {
   const std::vector<Component> components = components_of(opened);
   std::vector<Places> charts;
   for(const Component& component : components) {
+    if(!(component.area > 0.)) // CGAL's methods may not end well
+      throw Failure(Exit_code::NOT_CERTIFIED,
+                    "the component of vertex " + std::to_string(component.vertices.front()) +
+                        " has no area, so it has no chart; 'htloops clean' drops such parts");
     std::vector<Places> candidates = charts_of(component);
     if(candidates.empty())
       throw Failure(Exit_code::NOT_CERTIFIED,

@@ -48,6 +48,7 @@ struct Clean_command_options : Common_options
   std::optional<std::size_t> genus;
   std::string noise_below;
   bool is_dry_run = false;
+  bool is_sure = false;
 };
 
 std::map<std::string, Clean_step> steps_by_name() {
@@ -68,7 +69,7 @@ double share_of(const std::string& text) {
   const bool has_sign = !text.empty() && text.back() == '%';
   if(!has_sign || !parse_number(std::string_view(text).substr(0, text.size() - 1), percent) ||
      !(percent >= 0. && percent <= 100.))
-    throw wrong_usage("--floaters: '" + text + "' is not a percentage, such as 0.02%");
+    throw wrong_usage("--floaters: '" + text + "' is not a percentage up to 100%, such as 0.02%");
   return percent / 100.;
 }
 
@@ -117,6 +118,14 @@ void check(const Clean_command_options& options) {
         "--dry-run");
 }
 
+void check_lengths(const Clean_command_options& options, const std::vector<Point>& points) {
+  if(options.is_sure || points.empty())
+    return;
+  const double diagonal = diagonal_of(CGAL::bbox_3(points.begin(), points.end()));
+  check_length_of_mesh("--channels", options.channels, diagonal);
+  check_length_of_mesh("--noise-below", options.noise_below, diagonal);
+}
+
 Cleaned_soup cleaned(Soup soup, const Clean_command_options& options) {
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   try {
@@ -124,7 +133,11 @@ Cleaned_soup cleaned(Soup soup, const Clean_command_options& options) {
   } catch(const Failure& failure) {
     if(failure.code() != Exit_code::UNACCEPTABLE_MESH)
       throw;
-    throw Failure(failure.code(), printable(options.mesh_file) + ": " + failure.what());
+    const bool is_repair_skipped =
+        std::count(options.skipped.begin(), options.skipped.end(), name_of(Clean_step::REPAIR)) > 0;
+    throw Failure(failure.code(),
+                  printable(options.mesh_file) + ": " + failure.what() +
+                      (is_repair_skipped ? "\nthe step 'repair' may help: do not skip it" : ""));
   }
 }
 
@@ -162,6 +175,7 @@ void run(const Clean_command_options& options) {
   const File_facts facts = soup.facts;
   const std::array<std::size_t, 2> sizes = {soup.points.size(), soup.faces.size()};
   const double read_seconds = stopwatch.seconds();
+  check_lengths(options, soup.points);
   const Cleaned_soup result = cleaned(std::move(soup), options);
   write_files(options, file, sizes, facts, result);
   if(!options.is_quiet)
@@ -175,7 +189,7 @@ void run(const Clean_command_options& options) {
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
                   "the result is not closed: " +
                       counted(result.after.boundaries, "boundary curve is", "boundary curves are") +
-                      " left");
+                      " left" + (options.is_dry_run ? "" : "; it was written all the same"));
 }
 
 constexpr char clean_description[] =
@@ -194,8 +208,8 @@ crossing is made. The steps, in order (leave some out with --skip):
 )";
 
 constexpr char clean_examples[] =
-    R"(Exit codes: 0 the result is closed; 4 it is not closed (it is written
-all the same), or the mesh cannot be repaired.
+    R"(Exit codes: 0 the result is closed; 2 wrong usage; 3 the file cannot be read; 4 the result is
+not closed (it is written all the same), or the mesh cannot be repaired.
 
 Examples:
   htloops clean model.glb solid.stl               remove inner walls, channels and small parts
@@ -208,7 +222,8 @@ Examples:
 
 void add_options(CLI::App& clean, Clean_command_options& options) {
   add_mesh_argument(clean, options, mesh_kinds("any mesh"));
-  add_output(clean, "OUT", " ", options.result_file, "the solid:" + words_of_written_meshes());
+  CLI::Option* result =
+      add_output(clean, "OUT", " ", options.result_file, "the solid:" + words_of_written_meshes());
   clean.option_defaults()->group("What to do");
   clean.add_option("--skip", options.skipped, "steps to leave out, separated by commas")
       ->option_text("STEP,...")
@@ -232,8 +247,11 @@ void add_options(CLI::App& clean, Clean_command_options& options) {
   add_length(clean, "--noise-below", options.noise_below,
              "remove handles whose thickness or clear width is less than this")
       ->excludes(genus);
+  add_yes_option(clean, options.is_sure, "--channels or --noise-below");
   add_threads_option(clean, options);
   clean.option_defaults()->group("What to write");
+  add_output(clean, "-o,--output", "OUT", options.result_file, "the same as OUT after the mesh")
+      ->excludes(result);
   clean.add_flag("--dry-run", options.is_dry_run, "do everything except writing the mesh");
   add_output(clean, "--report", "FILE.json", options.json_file, "what was done, as JSON");
   add_output(clean, "--map", "FILE.json", options.map_file,

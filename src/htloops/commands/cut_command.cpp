@@ -146,10 +146,13 @@ std::string write_charts(const std::string& file,
 }
 
 std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
-  return "genus " + std::to_string(answer.genus) + ": cut along " +
-         counted(answer.edges.size(), "edge", "edges") +
-         formatted(" of length %.6g, boundary of %.6g; %.2f s after %.2f s of reading, ",
-                   answer.length, answer.boundary_length, answer.total_seconds, read_seconds) +
+  const std::string cut = answer.edges.empty()
+                              ? "nothing to cut"
+                              : "cut along " + counted(answer.edges.size(), "edge", "edges") +
+                                    formatted(" of total length %.6g, boundary of %.6g",
+                                              answer.length, answer.boundary_length);
+  return "genus " + std::to_string(answer.genus) + ": " + cut +
+         formatted("; %.2f s after %.2f s of reading, ", answer.total_seconds, read_seconds) +
          counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
 }
 

@@ -163,7 +163,10 @@ void add_kind(CLI::App& generate, const generators::Kind& kind, Command& command
       [&kind, options, &command] { command = [&kind, options] { run(kind, *options); }; });
 }
 
-constexpr char generate_description[] = "Generates a test mesh, usually of known genus.\n";
+constexpr char generate_description[] = R"(Generates a test mesh, usually of known genus.
+
+All kinds take -o MESH (required), --faces N, --seed N and --holes N; most have more options.
+)";
 
 constexpr char generate_examples[] = R"(Examples:
   htloops generate torus -o torus.off

@@ -138,8 +138,9 @@ std::string command_section(const CLI::App& command, const std::string& path) {
 
 /// the manual page of the tool, for man(1).
 std::string man_page(const CLI::App& tool) {
-  std::string text = ".TH HTLOOPS 1\n.SH NAME\nhtloops \\- handle and tunnel loops, and Reeb "
-                     "graphs, of triangle meshes\n.SH SYNOPSIS\n\\fBhtloops\\fR \\fICOMMAND\\fR "
+  std::string text = ".TH HTLOOPS 1\n.SH NAME\nhtloops \\- handle and tunnel loops, Reeb "
+                     "graphs and curve skeletons of triangle meshes\n.SH SYNOPSIS\n\\fBhtloops\\fR "
+                     "\\fICOMMAND\\fR "
                      "[\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" +
                      paragraphs(tool.get_description()) + ".SH COMMANDS\n";
   for(const CLI::App* command : commands_of(tool))

@@ -44,7 +44,8 @@ void add_table_options(CLI::App& command, Loops_options& options) {
 void add_channels_option(CLI::App& command, Loops_options& options) {
   add_output(command, "--channels", "FILE", options.channels_file,
              "the paths through the holes, with the clear radius along them: .pdb (radius as\n"
-             "B factor) and .bild for molecules, .csv; needs --measure");
+             "B factor) and .bild for molecules, .csv" +
+                 std::string(options.is_to_measure ? "" : "; needs --measure"));
 }
 
 void add_output_options(CLI::App& command, Loops_options& options) {
@@ -164,7 +165,7 @@ void add_listing_options(CLI::App& command, Listing_choice& choice) {
 void add_display_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to show");
   add_listing_options(command, options.listing);
-  command.add_flag("--all", options.show_all, "show all rows of a long table");
+  command.add_flag("--all,--all-rows", options.show_all, "show all rows of a long table");
   command.add_flag("-q,--quiet", options.is_quiet, "print only errors");
   command.add_flag("-v,--verbose", options.is_verbose, "also print why no CUDA device was used");
   add_choice(command, "--color", "WHEN", options.colour, "auto, always or never; default: auto",
@@ -288,7 +289,7 @@ void add_precision_option(CLI::App& command, std::string& precision) {
 double parse_precision(const std::string& text) {
   const double precision = parse_length("--precision", text).value_or(0.01);
   if(!(precision >= 0.001 && precision <= 0.2))
-    throw wrong_usage("--precision " + text + ": must be from 0.1% to 20%, such as 1%");
+    throw wrong_usage("--precision " + text + ": must be from 0.1% to 20%, such as 1% or 0.01");
   return precision;
 }
 

@@ -217,7 +217,7 @@ void add_remedy_options(CLI::App& command, Mesh_options& options) {
 Input_file input_of(const Mesh_options& options) {
   if(options.mesh_file == "-" && options.format.empty())
     throw wrong_usage(
-        "the format of the standard input is not known from a name: give it with --format");
+        "standard input has no file name: give its format, for example with --format off");
   return Input_file(options.mesh_file, options.format);
 }
 
@@ -230,9 +230,12 @@ void show_note_on_unit(const Mesh_options& options,
                        const std::string& file,
                        const File_facts& facts) {
   if(!options.is_quiet && facts.unit != Unit::NONE && !has_unit(file))
-    std::fprintf(stderr, "htloops: note: %s: the format cannot store the unit (%s)\n",
+    std::fprintf(stderr, "htloops: note: %s: the format cannot store the unit (%s)%s\n",
                  file == "-" ? "the standard output" : printable(file).c_str(),
-                 words_of(facts.unit).name);
+                 words_of(facts.unit).name,
+                 boost::algorithm::iends_with(file, ".stl") && facts.unit != Unit::MILLIMETER
+                     ? "; most programs take its numbers for millimeters; .3mf keeps the unit"
+                     : "");
 }
 
 namespace {
@@ -487,7 +490,9 @@ std::string why_no_count(const std::string& text) {
   const bool is_count = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isdigit(c) != 0;
   });
-  return is_count && text.size() < 19 ? "" : text + " is not a non-negative integer";
+  return !is_count          ? text + " is not a non-negative integer"
+         : text.size() < 19 ? ""
+                            : text + " is too large";
 }
 
 std::string why_not_finite(const std::string& text) {
@@ -504,10 +509,10 @@ std::string why_negative(const std::string& text) {
 }
 
 Mesh::Vertex_index vertex_of_mesh(const Mesh& mesh, std::uint32_t number) {
-  const std::string name = "the seed vertex " + std::to_string(number);
+  const std::string name = "vertex " + std::to_string(number);
   if(number >= mesh.number_of_vertices())
-    throw wrong_usage(name + " is out of range: the mesh has " +
-                      std::to_string(mesh.number_of_vertices()) + " vertices (counted from 0)");
+    throw wrong_usage(name + " does not exist: the mesh has " +
+                      std::to_string(mesh.number_of_vertices()) + " vertices, numbered from 0");
   const Mesh::Vertex_index v(number);
   if(mesh.is_isolated(v))
     throw wrong_usage(name + " belongs to no face");
@@ -553,6 +558,23 @@ parse_length(const std::string& option, const std::string& text, double whole) {
                       ": neither a length, such as 0.25, nor a percentage of the " +
                       "diagonal of the bounding box, such as 3%");
   return is_percentage ? length / 100. * whole : length;
+}
+
+void check_length_of_mesh(const std::string& option, const std::string& text, double diagonal) {
+  const auto length = parse_length(option, text, diagonal);
+  if(!length || *length <= diagonal)
+    return;
+  const bool has_sign = text.back() == '%';
+  throw wrong_usage(option + " " + text + " is more than the diagonal of the bounding box, " +
+                    formatted("%.6g", diagonal) + ". " +
+                    (has_sign || *length > 100. ? "" : "Did you mean " + text + "%? ") +
+                    "Use --yes to do it anyway");
+}
+
+void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options) {
+  command.add_flag("--yes", is_sure,
+                   "accept a length of " + options + " that is\n" +
+                       "more than the diagonal of the bounding box (usually a forgotten %)");
 }
 
 std::string indented(const std::vector<std::string>& lines) {

@@ -126,9 +126,9 @@ void show_scene(const Common_options& options, htl_scene::Scene scene, Unit unit
 
 /// declares an option that names a file that is written; of several it takes one at a time.
 template <typename Files>
-void add_output(
+CLI::Option* add_output(
     CLI::App& command, const char* name, const char* text, Files& files, const std::string& what) {
-  command.add_option(name, files, what)
+  return command.add_option(name, files, what)
       ->option_text(text)
       ->type_name(output_file)
       ->allow_extra_args(false);
@@ -223,6 +223,12 @@ std::optional<CGAL::Bbox_3> box_of(const std::vector<double>& box);
 /// text is no positive length. Nothing if there is none.
 std::optional<double>
 parse_length(const std::string& option, const std::string& text, double whole = 1.);
+
+/// throws `Failure` if a length that `parse_length()` understands is more than the diagonal of a
+/// mesh: often a percentage without its sign. `--yes` of `add_yes_option()` is for those who mean
+/// it.
+void check_length_of_mesh(const std::string& option, const std::string& text, double diagonal);
+void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options);
 
 /// the lines, indented, each after a line break; not too many of them.
 std::string indented(const std::vector<std::string>& lines);

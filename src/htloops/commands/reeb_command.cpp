@@ -71,7 +71,9 @@ void check_options(const Reeb_command_options& options) {
   check_common_options(options);
   choose_backend(options.backend);
   if(options.picture.has_tubes && !is_drawn_inside(options))
-    throw wrong_usage("--tubes needs radii, which only --drawing inside has");
+    throw wrong_usage(
+        "--tubes needs a picture or a model of the graph inside the surface: --picture or "
+        "--gltf, with --drawing inside");
   check_name(options.csv_file, "a table as CSV", {".csv"});
 }
 
@@ -290,7 +292,7 @@ void add_reeb_command(CLI::App& app, Command& command) {
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
   reeb->option_defaults()->group("What to show");
-  reeb->add_flag("--all", options->show_all, "show all rows of a long table");
+  reeb->add_flag("--all,--all-rows", options->show_all, "show all rows of a long table");
   reeb->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*reeb, reeb_examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });

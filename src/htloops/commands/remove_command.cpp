@@ -163,6 +163,23 @@ std::string words_of_length(const Remove_options& options,
          " shorter\n";
 }
 
+// Where no handle was below it: how far that is from what there is.
+std::string words_of_noise(const Remove_options& options,
+                           const Mesh& mesh,
+                           const Answer& answer,
+                           const Removal_report& report) {
+  const auto length = parse_length("--noise-below", options.noise_below, diagonal_of(mesh));
+  if(!length || !report.removed.empty() || !report.refused.empty())
+    return "";
+  std::optional<double> least;
+  for(const Measure& measure : answer.measures)
+    if(const std::optional<double> noise = noise_of(measure); noise && (!least || *noise < *least))
+      least = noise;
+  return "--noise-below " + options.noise_below +
+         formatted(" is %.4g in the unit of the mesh", *length) +
+         (least ? formatted("; the smallest thickness or clear width is %.4g", *least) : "") + "\n";
+}
+
 // Where no bore was in the range: which there are.
 std::string words_of_bores(const Remove_options& options,
                            const Mesh& mesh,
@@ -240,6 +257,7 @@ void run(const Remove_options& options) {
   write_files(options, mesh, answer, removal, told);
   if(!options.is_quiet)
     show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
+                  words_of_noise(options, mesh, answer, removal.report) +
                   words_of_bores(options, mesh, answer, removal.report) +
                   table_and_summary(options, told.report, options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
@@ -254,7 +272,8 @@ A handle is cut along its handle loop, or its hole is filled along its tunnel lo
 closed by caps that meet the surface only at their rims. The rest of the mesh is unchanged; the
 numbers and colors of its vertices are kept if the output format can store them.
 A handle is refused if neither way is possible, or if the result would not be a repair. The table
-names it with the reason; this is not an error. Without a selection, all handles are listed.
+names it with the reason; this is not an error. Without a selection, it lists what
+--all would do, and exits with code 2.
 )";
 
 constexpr char remove_examples[] = R"(Examples:

@@ -67,19 +67,8 @@ std::pair<double, double> parse_range(const std::string& text) {
                most = parse_diameter(text.substr(colon + 1))
                           .value_or(std::numeric_limits<double>::infinity());
   if(!(least <= most))
-    throw wrong_usage("--bores: the smallest diameter comes first, then the largest");
+    throw wrong_usage("--bores " + text + ": write the smaller diameter first, such as 3:8");
   return {least, most};
-}
-
-void check_length(const std::string& option, const std::string& text, double diagonal) {
-  const auto length = parse_length(option, text, diagonal);
-  if(!length || *length <= diagonal)
-    return;
-  const bool has_sign = text.back() == '%';
-  throw wrong_usage(option + " " + text + " is more than the diagonal of the bounding box, " +
-                    formatted("%.6g", diagonal) +
-                    (has_sign ? ": too long for a small handle" : "; did you mean " + text + "%?") +
-                    " Use --yes to do it anyway");
 }
 
 CLI::Option* add_bores_option(CLI::App& command, std::string& range) {
@@ -134,10 +123,7 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
                    "remove handles even if that is not a repair: if the bounding\n"
                    "box would grow, a cap would be far larger than its hole, ...");
   add_precision_option(command, options.precision);
-  command.add_flag(
-      "--yes", options.is_sure,
-      "accept a length of --shorter-than, --necks, --channels or --noise-below that is\n"
-      "more than the diagonal of the bounding box (usually a forgotten %)");
+  add_yes_option(command, options.is_sure, "--shorter-than, --necks, --channels or --noise-below");
   command
       .add_option("--loops", options.loops_file,
                   "take the pairs from a file written by 'htloops loops MESH -o'")
@@ -212,10 +198,10 @@ void check_remove_options(const Remove_options& options) {
 void check_lengths(const Remove_options& options, double diagonal) {
   if(options.is_sure)
     return;
-  check_length("--shorter-than", options.shorter_than, diagonal);
-  check_length("--necks", options.necks, diagonal);
-  check_length("--channels", options.channels, diagonal);
-  check_length("--noise-below", options.noise_below, diagonal);
+  check_length_of_mesh("--shorter-than", options.shorter_than, diagonal);
+  check_length_of_mesh("--necks", options.necks, diagonal);
+  check_length_of_mesh("--channels", options.channels, diagonal);
+  check_length_of_mesh("--noise-below", options.noise_below, diagonal);
 }
 
 Removal_options removal_options(const Remove_options& options, double diagonal) {

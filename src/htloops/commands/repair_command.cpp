@@ -43,13 +43,20 @@ bool are_triangles(const Soup& soup) {
 }
 
 // What is wrong in the end is said after what was done.
-void require_fit(const std::string& file, const std::vector<Defect>& defects) {
+void require_fit(const std::string& file,
+                 const std::vector<Defect>& defects,
+                 bool are_triangles,
+                 bool is_dry_run) {
   if(defects.empty())
     return;
   std::string text =
       printable(file) + " is still not an oriented triangle manifold after the repair:";
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
+  if(!are_triangles)
+    text += "\nadd --triangulate" + std::string(is_dry_run ? "" : "; nothing was written");
+  else if(!is_dry_run)
+    text += "\nit was written all the same";
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);
 }
 
@@ -64,11 +71,12 @@ void run(const Repair_options& options) {
   throw_if_interrupted();
   if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
     std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);
-  if(!options.is_dry_run && are_triangles(mended.soup) && !mended.soup.faces.empty()) {
+  const bool are_all_triangles = are_triangles(mended.soup);
+  if(!options.is_dry_run && are_all_triangles && !mended.soup.faces.empty()) {
     write_mesh(options.written_mesh_file, triangles_of(mended.soup), mended.soup.facts);
     show_note_on_unit(options, options.written_mesh_file, mended.soup.facts);
   }
-  require_fit(file.name(), defects);
+  require_fit(file.name(), defects, are_all_triangles, options.is_dry_run);
   if(!options.is_quiet)
     show_note(file.name(), near_boundary_of(built.mesh));
 }

@@ -112,6 +112,10 @@ void run(const Skeleton_command_options& options) {
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds) +
                   words_of_unit(mended.facts.unit),
               is_output_taken(options));
+  if(!answer.certificate() && answer.does_mesh_touch_itself && options.is_quiet)
+    std::fprintf(stderr, "htloops: note: the skeleton of %s is not certified:%s\n",
+                 printable(options.mesh_file).c_str(),
+                 indented(lines_of(answer.certificate().failure)).c_str());
   if(!answer.certificate() && !answer.does_mesh_touch_itself)
     throw Failure(
         Exit_code::NOT_CERTIFIED,
@@ -196,7 +200,7 @@ void add_skeleton_command(CLI::App& app, Command& command) {
   add_remedy_options(*skeleton, *options);
   add_computation_options(*skeleton, *options);
   skeleton->option_defaults()->group("What to show");
-  skeleton->add_flag("--all", options->show_all, "show all rows of a long table");
+  skeleton->add_flag("--all,--all-rows", options->show_all, "show all rows of a long table");
   skeleton->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*skeleton, skeleton_examples);
   skeleton->callback([options, &command] { command = [options] { run(*options); }; });

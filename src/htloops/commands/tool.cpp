@@ -14,6 +14,7 @@
 #include "app/version.h"
 #include "commands/command.h"
 #include "commands/options.h"
+#include "commands/usage_messages.h"
 #include "terminal/terminal.h"
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
@@ -25,83 +26,12 @@
 #include <iostream>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace htloops {
 namespace {
-
-// The command that was begun, as far as its words were understood.
-const CLI::App& begun_command(const CLI::App& app) {
-  const std::vector<CLI::App*> commands = app.get_subcommands();
-  return commands.empty() ? app : begun_command(*commands.back());
-}
-
-std::string name_of(const CLI::App& command) {
-  return command.get_parent() == nullptr
-             ? command.get_name()
-             : name_of(*command.get_parent()) + " " + command.get_name();
-}
-
-// How many letters have to be put in, taken out or replaced (Levenshtein).
-std::size_t distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for(std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for(std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = (std::min)({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::vector<std::string> words_of(const CLI::App& command) {
-  std::vector<std::string> words;
-  for(const CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; }))
-    words.push_back(subcommand->get_name());
-  for(const CLI::Option* option : command.get_options())
-    for(const std::string& name : option->get_lnames())
-      words.push_back("--" + name);
-  return words;
-}
-
-// The nearest of the words, if it is near, or goes on as this one begins.
-std::string nearest(const std::string& unknown, const std::vector<std::string>& words) {
-  std::string best;
-  std::size_t least = unknown.size() / 3 + 1;
-  for(const std::string& word : words) {
-    const bool goes_on = unknown.size() > 3 && word.compare(0, unknown.size(), unknown) == 0;
-    const std::size_t d = goes_on ? 0 : distance(unknown, word);
-    if(d < least || (d == least && best.empty())) {
-      least = d;
-      best = word;
-    }
-  }
-  return best;
-}
-
-/// what is said of a command line that is not understood: what is wrong with it, what may have been
-/// meant, and which help tells more. For `CLI::App::failure_message()`.
-std::string usage_message(const CLI::App* app, const CLI::Error& error) {
-  const CLI::App& command = begun_command(*app);
-  const std::string help = "\nsee '" + name_of(command) + " --help'\n";
-  const std::vector<std::string> unknown = app->remaining(true);
-  if(unknown.empty())
-    return "htloops: " + printable_lines(error.what()) + help;
-  std::string word = unknown.front();
-  word.resize((std::min)(word.find('='), word.size()));
-  const std::string meant = command.get_parent() == nullptr && is_named_as_mesh(word)
-                                ? name_of(command) + " loops " + printable(word)
-                                : nearest(word, words_of(command));
-  return "htloops: '" + printable(word) + "' is not a known command or option" +
-         (meant.empty() ? "" : "; did you mean '" + meant + "'?") + help;
-}
 
 Outcome ended_by(Exit_code code, const char* message) { return {static_cast<int>(code), message}; }
 

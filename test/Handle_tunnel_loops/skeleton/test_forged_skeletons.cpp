@@ -205,7 +205,7 @@ TEST(Forged_skeletons, MustNotBeOfTheOtherComponent) {
     graph[v].component = 1 - graph[v].component;
   expect_failure(check(mesh, graph, pairs), "edge 0-1 lies outside of component 1");
   graph[0].component = (std::numeric_limits<unsigned>::max)() + std::size_t(1); // 0, in 32 bits
-  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, pairs), "and the mesh has 2");
+  expect_failure(CGAL::certify_curve_skeleton(mesh, graph, pairs), "but the mesh has only 2");
 }
 
 TEST(Forged_skeletons, MustBeFinite) {

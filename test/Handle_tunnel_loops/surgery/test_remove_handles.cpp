@@ -778,7 +778,8 @@ TEST(Channels_removal, RefusesWhatMakesNoSense) {
 TEST(Handle_removal, RefusesWhatMakesNoSense) {
   Mesh mesh = mesh_of(recipe("torus", 600, 1));
   expect_refusal(mesh, wish(&Options::target_genus, 2), "target genus is 2");
-  expect_refusal(mesh, wish(&Options::box, CGAL::Bbox_3(9, 9, 9, 10, 10, 10)), "the box contains no loop");
+  expect_refusal(mesh, wish(&Options::box, CGAL::Bbox_3(9, 9, 9, 10, 10, 10)),
+                 "the box contains no loop");
   expect_refusal(mesh, wish(&Options::maximal_length, -1.), "not positive");
   expect_refusal(mesh, wish(&Options::minimal_piece_share, 0.7), "share");
   Pairs pairs = find_loops(mesh);
