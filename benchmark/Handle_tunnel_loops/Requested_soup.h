@@ -41,6 +41,7 @@ inline CGAL::Handle_tunnel_loops::generators::Soup generate(const std::string& r
       if(!hole_faces.empty())
         h.faces = std::stoul(hole_faces);
       h.is_ragged = is_ragged == "ragged";
+      h.may_be_fewer = true;
       return with_holes(kind.make(r), h);
     }
   throw std::runtime_error("no such kind of mesh: " + name);

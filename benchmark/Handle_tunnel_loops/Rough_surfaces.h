@@ -122,6 +122,7 @@ inline void make_rough(Surface& surface, Random& random) {
     holes.faces = 6 + random.below(20);
     holes.is_ragged = random.below(2) == 0;
     holes.seed = static_cast<unsigned>(random.below(1000000));
+    holes.may_be_fewer = true;
     return generators::with_holes(s, holes);
   });
   change(10, "nested", [&](const Soup& s) { return nested(s, random); });

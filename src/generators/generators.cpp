@@ -250,11 +250,12 @@ std::size_t number_of_components(const Soup& soup) {
 }
 
 Soup make(const Kind& kind, const Request& request) {
+  constexpr std::size_t few = 100; // of these, the kind says how many faces they need
   const auto require = [&](unsigned option, const char* what,
                            std::initializer_list<std::size_t> numbers) {
     for(const std::size_t number : numbers)
-      if((kind.options & option) != 0 && number > request.faces)
-        refuse(kind.name, "with " + std::to_string(request.faces) + " faces cannot have " +
+      if((kind.options & option) != 0 && number > (std::max)(request.faces, few))
+        refuse(kind.name, "with " + counted(request.faces, "face", "faces") + " cannot have " +
                               std::to_string(number) + " " + what);
   };
   // Each of these needs a face of its own. Then sums and products of such numbers do not overflow.

@@ -71,7 +71,7 @@ struct Kind
 };
 
 /// makes a mesh as `kind.make()` does, but throws at once if a number that the kind uses is larger
-/// than the number of faces: such numbers could overflow.
+/// than the number of faces, and not small: such numbers could overflow.
 Soup make(const Kind& kind, const Request& request);
 
 /// all families.
@@ -113,10 +113,12 @@ struct Hole_request
   std::size_t faces = 20; ///< of each disk, approximately; at least those around a vertex
   bool is_ragged = false; ///< as many boundary edges as faces, approximately; otherwise round
   unsigned seed = 0;
+  bool may_be_fewer = false; ///< if there is not enough room
 };
 
-/// the mesh without these disks and without isolated vertices. If there is not enough room, the
-/// disks are fewer or smaller.
+/// the mesh without these disks and without isolated vertices. Disks are smaller where there is not
+/// enough room. Throws `std::invalid_argument` if there is room for fewer of them, unless they may
+/// be fewer.
 Soup with_holes(const Soup& mesh, const Hole_request& holes);
 
 } // namespace CGAL::Handle_tunnel_loops::generators

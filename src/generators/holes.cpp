@@ -10,10 +10,13 @@
 #include "generators.h"
 
 #include "Random.h"
+#include "kinds.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::generators {
@@ -46,6 +49,11 @@ public:
         widen(holes.faces, holes.is_ragged);
         ++number;
       }
+    if(number < holes.number && !holes.may_be_fewer)
+      throw std::invalid_argument("only " + std::to_string(number) + " of " +
+                                  counted(holes.number, "hole", "holes") +
+                                  (number == 1 || holes.number == 1 ? " fits" : " fit") +
+                                  ": use more faces, fewer holes or smaller ones (--hole-faces)");
   }
 
   Soup take() const {

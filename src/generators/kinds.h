@@ -40,6 +40,11 @@ Soup make_twins(const Request& request);
 Soup make_hollow(const Request& request);
 Soup make_random(const Request& request);
 
+/// a number with its noun: "1 handle", "3 handles".
+inline std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 /// throws `std::invalid_argument`: "a mesh of the kind '...' ", followed by the reason.
 [[noreturn]] void refuse(const char* kind, const std::string& why);
 

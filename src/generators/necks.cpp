@@ -123,7 +123,7 @@ Soup joined_at_random(const Two_walls& walls,
     built += result.join(places[i]);
   if(built < request.necks)
     throw std::invalid_argument(std::to_string(request.faces) + " faces have room for only " +
-                                std::to_string(built) + " necks, not " +
+                                counted(built, "neck", "necks") + ", not " +
                                 std::to_string(request.necks));
   return result.take();
 }
@@ -134,7 +134,7 @@ Soup wall(const Request& request, const char* kind, Random& random) {
   require_faces(request, kind,
                 2 * Rounded_body::least_faces(request.genus) + 3 * faces_of_neck * request.necks,
                 "with genus " + std::to_string(request.genus) + " and " +
-                    std::to_string(request.necks) + " necks");
+                    counted(request.necks, "neck", "necks"));
   if(request.necks == 0)
     refuse(kind, "needs at least one neck");
   // The bump is below, so that what is above is a cap of a ball.

@@ -414,9 +414,10 @@ Soup with_small_bridges(const Soup& soup,
   for(std::size_t i = 0; i < places.size() && built < is_tunnel.size(); ++i)
     built += bridges.build(places[i], is_tunnel[built] != 0, random);
   if(built < is_tunnel.size())
-    throw std::invalid_argument(std::to_string(request.faces) + " faces have room for only " +
-                                std::to_string(built) + " small bridges and tunnels, not " +
-                                std::to_string(is_tunnel.size()));
+    throw std::invalid_argument(
+        std::to_string(request.faces) + " faces have room for only " +
+        counted(built, "small bridge or tunnel", "small bridges and tunnels") + ", not " +
+        std::to_string(is_tunnel.size()));
   return bridges.take();
 }
 
@@ -426,8 +427,8 @@ Soup make_scan(const Request& request) {
   constexpr std::size_t faces_of_bridge = 80;
   const std::size_t planted = request.bridges + request.tunnels;
   require_faces(request, "scan", Rounded_body::least_faces(request.genus) + 600 * planted,
-                "with " + std::to_string(request.genus) + " large handles and " +
-                    std::to_string(planted) + " bridges and tunnels");
+                "with " + counted(request.genus, "large handle", "large handles") + " and " +
+                    counted(planted, "bridge or tunnel", "bridges and tunnels"));
   Random random(request.seed);
   Soup soup = mesh_of_field(random_body(request.genus, random),
                             {request.faces - faces_of_bridge * planted, request.genus}, "scan");

@@ -109,6 +109,7 @@ TEST(Dual_cuts, LeadFromBoundaryToBoundary) {
       holes.number = number;
       holes.faces = 1 + random.below(40);
       holes.seed = static_cast<unsigned>(random.next());
+      holes.may_be_fewer = true;
       const Mesh mesh = mesh_of(generators::with_holes(soup_of(recipe), holes));
       expect_dual(mesh, find_loops(mesh));
     }

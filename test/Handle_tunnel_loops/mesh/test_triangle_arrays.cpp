@@ -169,7 +169,7 @@ TEST(Triangle_arrays, HaveTheHalfedgesOfTheirTriangles) {
       SCOPED_TRACE(testing::Message() << recipe << ", " << holes << " holes");
       Soup soup = soup_of(recipe);
       if(holes != 0)
-        soup = generators::with_holes(soup, {holes, 8, true});
+        soup = generators::with_holes(soup, {holes, 8, true, 0, true});
       if(holes != 0)
         soup.points.push_back({}); // without faces
       std::shuffle(soup.triangles.begin(), soup.triangles.end(), std::mt19937(1));

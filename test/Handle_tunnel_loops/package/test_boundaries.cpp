@@ -44,6 +44,7 @@ Soup soup_with_holes(const Recipe& recipe, std::size_t number, std::size_t size,
   holes.faces = size;
   holes.is_ragged = random.below(2) == 0;
   holes.seed = static_cast<unsigned>(random.next());
+  holes.may_be_fewer = true;
   return generators::with_holes(soup_of(recipe), holes);
 }
 

@@ -75,6 +75,7 @@ Soup with_some_holes(const Soup& soup, Random& random) {
   holes.number = 1 + random.below(10);
   holes.faces = std::size_t(1) << random.below(9);
   holes.is_ragged = random.below(2) == 0;
+  holes.may_be_fewer = true;
   return generators::with_holes(soup, holes);
 }
 

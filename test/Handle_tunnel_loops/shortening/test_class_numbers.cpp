@@ -52,6 +52,7 @@ TEST(Class_numbers, AreOfClasses) {
     generators::Hole_request holes;
     holes.number = 1 + random.below(5);
     holes.faces = 1 + random.below(60);
+    holes.may_be_fewer = true;
     const Mesh mesh = mesh_of(generators::with_holes(soup_of(recipe), holes));
     const Prepared_surface surface(Execution(), mesh, get(boost::vertex_index, mesh),
                                    get(CGAL::vertex_point, mesh));

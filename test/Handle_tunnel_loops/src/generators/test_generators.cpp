@@ -395,6 +395,48 @@ TEST(Generators, SayHowManyFacesTheyNeed) {
   }
 }
 
+// Also where there is not even one for each handle.
+TEST(Generators, SayHowManyFacesTheyNeedInPlaceOfNone) {
+  const auto words = [](const char* name, const Request& request) -> std::string {
+    try {
+      generators::make(kind(name), request);
+      return "it was made";
+    } catch(const std::invalid_argument& e) {
+      return e.what();
+    }
+  };
+  EXPECT_EQ(words("torus", {0, 1, 0}),
+            "a mesh of the kind 'torus' of genus 1 needs at least 18 faces, not 0");
+  EXPECT_EQ(words("gyroid", {10, 500, 0}),
+            "a mesh of the kind 'gyroid' with 10 faces cannot have 500 handles");
+  Request request = {100, 1, 0};
+  request.bridges = 1;
+  request.tunnels = 0;
+  EXPECT_EQ(words("scan", request),
+            "a mesh of the kind 'scan' with 1 large handle and 1 bridge or tunnel needs at least "
+            "25600 faces, not 100");
+}
+
+TEST(Holes, AreAllMadeOrRefused) {
+  const Soup sphere = kind("sphere").make({10000, 0, 0});
+  const auto number = [&](std::size_t wanted, bool may_be_fewer) {
+    return generators::number_of_boundaries(
+        generators::with_holes(sphere, {wanted, 20, false, 0, may_be_fewer}));
+  };
+  EXPECT_EQ(number(100, false), 100u);
+  const std::size_t most = number(100000, true);
+  EXPECT_GT(most, 100u);
+  EXPECT_EQ(number(most, false), most);
+  try {
+    number(100000, false);
+    FAIL() << "there is no room";
+  } catch(const std::invalid_argument& e) {
+    EXPECT_EQ(e.what(), "only " + std::to_string(most) +
+                            " of 100000 holes fit: use more faces, fewer holes or smaller ones "
+                            "(--hole-faces)");
+  }
+}
+
 TEST(Generators, RepeatThemselves) {
   for(const generators::Kind& k : generators::kinds()) {
     const std::size_t faces = are_few_cases_tried() ? 15000 : 60000;
