@@ -80,6 +80,8 @@ void Input_file::set_content(std::string content) {
       fail_to_read(name_, "its gzip data is damaged or truncated");
     content = std::move(*bytes);
   }
+  if(content.empty())
+    fail_to_read(name_, path_ == "-" ? "it is empty" : "the file is empty");
   content_ = std::make_shared<const std::string>(std::move(content));
 }
 

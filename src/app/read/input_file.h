@@ -26,7 +26,8 @@ class Input_file
 public:
   /// `-` is the standard input. Throws `Failure` if the file cannot be read. `format` is how the
   /// name of a file of its format ends, `off` say; empty if its own name tells. What gzip has
-  /// packed is unpacked, and `.gz` is no part of how its name ends.
+  /// packed is unpacked, and `.gz` is no part of how its name ends. Also throws if the file is
+  /// empty.
   Input_file(std::string name, const std::string& format = "");
 
   /// a file that is in memory already; its name says of which format it is.

@@ -9,12 +9,15 @@
 
 #include "read/meshes/mesh_formats.h"
 
+#include "failure.h"
 #include "read/meshes/readers.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace htloops {
 namespace {
@@ -74,6 +77,40 @@ bool is_utf16(std::string_view content) {
                                 " (--format says which one it is, whatever its name)");
 }
 
+// How files of some formats begin, whatever their names.
+constexpr std::pair<std::string_view, std::string_view> marks[] = {
+    {"glTF", ".glb"}, {"ply\n", ".ply"},  {"ply\r", ".ply"},  {"OFF", ".off"},
+    {"COFF", ".off"}, {"PK\3\4", ".3mf"}, {"solid ", ".stl"}, {"$MeshFormat", ".msh"},
+};
+
+const Mesh_format* format_by_mark(std::string_view content) {
+  for(const auto& [mark, ending] : marks)
+    if(content.substr(0, mark.size()) == mark)
+      for(const Mesh_format& format : mesh_readers)
+        if(format.ending == ending)
+          return &format;
+  return nullptr;
+}
+
+std::string format_name(const Mesh_format& format) {
+  return boost::algorithm::to_upper_copy(std::string(format.ending.substr(1)));
+}
+
+// Only once it has failed, as the header of a binary STL file may begin as it likes.
+Soup read_as(const Mesh_format& format, const Input_file& file) {
+  try {
+    return format.read(file);
+  } catch(const Failure& failure) {
+    const Mesh_format* const other = format_by_mark(file.content());
+    if(failure.code() != Exit_code::UNREADABLE_FILE || other == nullptr ||
+       other->read == format.read)
+      throw;
+    fail_to_read(file.name(), "it is not " + format_name(format) + ", but looks like " +
+                                  format_name(*other) + "; --format " +
+                                  std::string(other->ending.substr(1)) + " reads it");
+  }
+}
+
 // Packed by gzip or not.
 bool ends_in_one_of(std::string_view file, const std::vector<std::string>& endings) {
   if(boost::algorithm::iends_with(file, ".gz"))
@@ -112,7 +149,7 @@ Soup read_soup(const Input_file& file) {
     fail_to_read(file.name(), "the file is UTF-16; save it as UTF-8 or ASCII");
   for(const Mesh_format& format : mesh_readers)
     if(file.is_of_format(format.ending))
-      return format.read(file);
+      return read_as(format, file);
   if(is_freesurfer(file.content()))
     return read_freesurfer(file);
   fail_at_format(file);

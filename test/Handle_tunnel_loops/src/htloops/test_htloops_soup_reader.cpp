@@ -339,7 +339,7 @@ TEST_F(Soup_reader, keeps_all_corners_of_polygons) {
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
   const std::string good = obj_file();
-  expect_failure("a.obj", "", "neither vertices nor faces");
+  expect_failure("a.obj", "# nothing\n", "neither vertices nor faces");
   expect_failure("a.obj", "\033[2J" + std::string(50, 'x'),
                  ":1: unknown OBJ keyword '?[2J" + std::string(36, 'x') + "...'");
   expect_failure("a.obj", good + "wrong\n", ":9: unknown OBJ keyword 'wrong'");
@@ -360,7 +360,7 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_obj_file) {
 }
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
-  expect_failure("a.off", "", "begins with the word OFF");
+  expect_failure("a.off", "# nothing\n", "begins with the word OFF");
   expect_failure("a.off", "FFO 4 4 6\n" + std::string(points), ":1: an OFF file begins");
   expect_failure("a.off", "OFF BINARY\n", "binary");
   expect_failure("a.off", "OFF\n4 -4 6\n", ":2: expected the numbers");
@@ -388,6 +388,25 @@ TEST_F(Soup_reader, says_what_is_wrong_with_an_off_file) {
   expect_failure("a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", "only 1 of 2000000000 vertices");
 }
 
+TEST_F(Soup_reader, says_that_a_file_is_empty) {
+  for(const std::string& ending : endings_of_meshes())
+    expect_failure("a" + ending, "", ": the file is empty");
+  expect_failure("a.json", "", "a.json: the file is empty");
+}
+
+TEST_F(Soup_reader, says_which_other_format_a_file_looks_like) {
+  const auto& endings = endings_of_meshes();
+  if(std::count(endings.begin(), endings.end(), ".glb") != 0)
+    expect_failure("a.stl", "glTF" + std::string(80, '\0') + std::string(80, '\1'),
+                   "it is not STL, but looks like GLB; --format glb reads it");
+  expect_failure("a.obj", off_file(), "it is not OBJ, but looks like OFF; --format off reads it");
+  expect_failure("a.off", obj_file(), ":1: an OFF file begins"); // no mark of OBJ
+  expect_failure("a.off", ply_header("ascii") + points + faces, "looks like PLY; --format ply");
+  // The header of a binary STL file may begin as it likes.
+  std::string binary = binary_stl_file(-0.2f);
+  expect_tetrahedron("a.stl", binary.replace(0, 4, "OFF "));
+}
+
 TEST_F(Soup_reader, takes_numbers_out_of_range_as_infinite_and_zero) {
   const Soup soup = read_soup(
       folder_.write("a.off", "OFF\n4 0 0\n1e999 -1e999 1e-999\nnan inf 0\n0 0 0\n0 0 0\n"));
@@ -399,7 +418,7 @@ TEST_F(Soup_reader, takes_numbers_out_of_range_as_infinite_and_zero) {
 
 TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
   const std::string good = ply_header("ascii") + points + faces;
-  expect_failure("a.ply", "", "ply");
+  expect_failure("a.ply", "\n", "a PLY file begins with the word ply");
   expect_failure("a.ply", good.substr(0, 60), "has no end");
   expect_failure("a.ply", replaced(good, "ascii", "asci"), ":2: unknown PLY format 'asci'");
   expect_failure("a.ply", replaced(good, "1.0", "2.0"), ":2: unknown PLY version '2.0'");
@@ -434,7 +453,7 @@ TEST_F(Soup_reader, says_what_is_wrong_with_a_ply_file) {
 
 TEST_F(Soup_reader, says_what_is_wrong_with_an_stl_file) {
   const std::string text = text_stl_file(), binary = binary_stl_file(-0.2f);
-  expect_failure("a.stl", "", "begins with the word solid");
+  expect_failure("a.stl", "\n", "begins with the word solid");
   expect_failure("a.stl", replaced(text, "solid", "polid"), ":1: a text STL file begins");
   expect_failure("a.stl", "solid\nfacet", ":2: face 0: expected outer; the file ends here");
   expect_failure("a.stl", replaced(text, "1 0 0", "1 0 x"),
