@@ -101,6 +101,7 @@ public:
     if(is_same_mesh()) {
       measure_mesh();
       bind_all();
+      say_once_if_mesh_has_moved();
     }
     result_.are_placed = problems_[MISPLACED].empty();
     for(const std::vector<std::string>& problems : problems_)
@@ -130,6 +131,16 @@ private:
       if(boundary.waist)
         result_.waists.push_back(bind_loop(*boundary.waist, Loop_type::BOUNDARY, i));
     }
+  }
+
+  // Then most points are wrong, and so are lengths.
+  void say_once_if_mesh_has_moved() {
+    if(2 * number_of_wrong_points_ <= number_of_points_)
+      return;
+    problems_[WRONG_POINT].clear();
+    problems_[WRONG_LENGTH].clear();
+    add_problem(MISPLACED,
+                "the points of the loops do not lie on this mesh: was it scaled or moved?");
   }
 
   void add_problem(Severity severity, const std::string& problem) {
@@ -212,8 +223,10 @@ private:
   }
 
   void check_point(const Point& expected, const std::array<double, 3>& found) {
+    ++number_of_points_;
     for(int i = 0; i < 3; ++i)
       if(!(std::abs(expected[i] - found[i]) <= tolerance_)) {
+        ++number_of_wrong_points_;
         add_problem_here("the point does not match the location", WRONG_POINT);
         return;
       }
@@ -244,6 +257,7 @@ private:
   Bound_loops result_;
   std::array<std::vector<std::string>, 3> problems_; // by severity
   double tolerance_ = 0.;
+  std::size_t number_of_points_ = 0, number_of_wrong_points_ = 0;
   // Where the binder is, for messages.
   std::string place_;
   std::size_t position_ = 0;

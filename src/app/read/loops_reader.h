@@ -86,7 +86,8 @@ struct Bound_loops
 
 /// finds the places that a file names on the mesh. A problem is another mesh, an index or a ratio
 /// out of range, two vertices without an edge, a point that is not where its location is, a wrong
-/// length. Where that is all, loops are complete, with the lengths that they have.
+/// length. Where that is all, loops are complete, with the lengths that they have. If most points
+/// are wrong, there is one problem in their place: the loops are not placed.
 Bound_loops bind_loops(const Loops_record& record, const Mesh& mesh);
 
 } // namespace htloops

@@ -235,6 +235,20 @@ TEST_F(Loops_json, says_the_worst_first_and_all_of_it) {
   EXPECT_NE(problems[2].find("the length is given as 7"), std::string::npos);
 }
 
+TEST_F(Loops_json, says_once_that_the_mesh_was_scaled_or_moved) {
+  for(const bool is_moved : {false, true}) {
+    Mesh other = mesh_;
+    for(const Mesh::Vertex_index v : other.vertices())
+      other.point(v) = is_moved ? other.point(v) + (Mesh::Point(0., 5., 0.) - CGAL::ORIGIN)
+                                : CGAL::ORIGIN + 1000. * (other.point(v) - CGAL::ORIGIN);
+    const Bound_loops loops = bind_loops(read_again(), other);
+    EXPECT_FALSE(loops.are_placed);
+    ASSERT_EQ(loops.problems.size(), 1u);
+    EXPECT_EQ(loops.problems[0],
+              "the points of the loops do not lie on this mesh: was it scaled or moved?");
+  }
+}
+
 TEST_F(Loops_json, loops_are_complete_where_only_what_is_said_of_them_is_wrong) {
   document_["pairs"][0]["handle"]["length"] = 7;
   const Bound_loops wrong = bind_loops(read_again(), mesh_);
