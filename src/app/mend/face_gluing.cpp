@@ -299,7 +299,7 @@ private:
   static constexpr std::size_t largest_number_told = 8;
 
   std::string words(std::size_t number, const Faces& faces) const {
-    return std::string(faces.size() == 1 ? "face" : "faces") + " dropped: component " +
+    return "of " + counted(mended_.soup.faces.size(), "face", "faces") + " dropped: component " +
            std::to_string(number) + " of " + std::to_string(order_.size()) +
            " is not orientable, first: " + name_of_face(mended_.face_in_file[faces.front()]) +
            ", bounding box: " + box_of(faces);

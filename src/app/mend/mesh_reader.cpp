@@ -96,6 +96,11 @@ std::string words_for(const Remedies& remedies,
   return promise_of(remedies) + " this:" + lines_of(changes);
 }
 
+bool is_said_to_be_one_sided(const std::vector<Defect>& defects) {
+  return std::any_of(defects.begin(), defects.end(),
+                     [](const Defect& defect) { return defect.is_not_orientable; });
+}
+
 } // namespace
 
 Soup read_whole_soup(const Input_file& file) {
@@ -141,7 +146,7 @@ words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Reme
     if(!are_all_given && diagnose(mended.soup).empty())
       return words_for(remedies, defects, mended.changes);
   }
-  if(is_one_sided)
+  if(is_one_sided && !is_said_to_be_one_sided(defects))
     return "no option fixes this: the surface is not orientable";
   return given.any() ? "no other option fixes this" : "no option fixes this";
 }

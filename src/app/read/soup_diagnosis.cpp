@@ -81,8 +81,8 @@ private:
       if(!is_finite(soup_.points[v]))
         bad_points.add([v] { return name_of_vertex(v); });
     report(bad_points, Mesh_defect::NON_FINITE_COORDINATE,
-           "vertex with a coordinate that is infinite or not a number",
-           "vertices with coordinates that are infinite or not numbers");
+           "vertex has a coordinate that is infinite or not a number",
+           "vertices have coordinates that are infinite or not numbers");
   }
 
   void check_faces() {
@@ -134,13 +134,16 @@ private:
   // Faces with the same three vertices, whatever their order.
   void report_duplicate_faces() {
     const std::vector<Corners_of_face> suspects = suspicious_faces(soup_, *edges_);
-    Finding duplicates;
+    std::vector<std::array<std::uint32_t, 2>> pairs; // a face, and the one before it
     for(std::size_t i = 1; i < suspects.size(); ++i)
       if(suspects[i].first == suspects[i - 1].first)
-        duplicates.add([&] {
-          return name_of_face(suspects[i].second) + " with the vertices of " +
-                 name_of_face(suspects[i - 1].second);
-        });
+        pairs.push_back({suspects[i].second, suspects[i - 1].second});
+    std::sort(pairs.begin(), pairs.end()); // the smallest face is named
+    Finding duplicates;
+    for(const auto& [face, same] : pairs)
+      duplicates.add([face_number = face, same_number = same] {
+        return name_of_face(face_number) + " with the vertices of " + name_of_face(same_number);
+      });
     report(duplicates, Mesh_defect::NON_MANIFOLD_EDGE, "face is a duplicate",
            "faces are duplicates");
   }
@@ -194,12 +197,13 @@ private:
   void report_orientation(const Finding& disoriented) {
     if(disoriented.count() == 0)
       return;
+    const bool can_be_fixed = is_orientable();
     report(disoriented, Mesh_defect::INCONSISTENT_ORIENTATION,
            "edge has two faces with inconsistent orientation",
            "edges have two faces with inconsistent orientation",
-           is_orientable() ? " (flipping faces would fix it)"
-                           : " (flipping faces cannot fix it: the surface is "
-                             "not orientable)");
+           can_be_fixed ? " (flipping faces would fix it)"
+                        : " (flipping faces cannot fix it: the surface is not orientable)");
+    defects_.back().is_not_orientable = !can_be_fixed;
   }
 
   // Each face stands for itself and, shifted by the number of faces, for itself flipped. The

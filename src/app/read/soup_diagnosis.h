@@ -86,8 +86,9 @@ using CGAL::Handle_tunnel_loops::Mesh_defect;
 struct Defect
 {
   Mesh_defect kind;
-  std::size_t count;   ///< how often it was found
-  std::string message; ///< says it in words and names the first element that has it
+  std::size_t count;              ///< how often it was found
+  std::string message;            ///< says it in words and names the first element that has it
+  bool is_not_orientable = false; ///< whether the message says that the surface is not orientable
 };
 
 /// finds all defects, of every kind. Vertices that no face uses are none, nor is a face without
