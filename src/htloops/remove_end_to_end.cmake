@@ -252,7 +252,7 @@ endif()
 # A knotted tube cannot be filled, which is no failure; it can be cut.
 run(0 generate knot --faces 1500 -o knot.off)
 run(0 remove knot.off -o knotted.off --all --by fill --report report.json)
-expect_match("${output}" "pair  refused.*genus 1 -> 1, 0 removed, 1 refused")
+expect_match("${output}" "pair  result         length  why\n    0  refused .*genus 1 -> 1, 0 removed, 1 refused")
 read_numbers(report.json refused)
 expect_equal("${numbers}" 0)
 file(READ "${FOLDER}/report.json" report)
@@ -267,6 +267,7 @@ run(0 generate sphere --genus 0 --faces 500 -o sphere.off)
 run(0 remove sphere.off -o ball.off --all)
 expect_match("${output}" "genus 0 -> 0, 0 removed, 0 refused")
 run(2 remove sphere.off -o ball.off --pairs 0)
+expect_match("${errors}" "pair 0 does not exist: the mesh has no handles\n")
 
 # Colours of vertices stay, where there is room for them; what does not stay is said.
 file(STRINGS "${FOLDER}/mesh.off" lines)

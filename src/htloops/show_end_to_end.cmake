@@ -111,7 +111,7 @@ else()
   message("assimp is not there: the glTF file is checked by its header only")
 endif()
 run(2 loops mesh.off --gltf loops.gltf)
-expect_match("${errors}" "[.]glb")
+expect_match("${errors}" "the name must end in [.]glb\n")
 run(2 loops mesh.off --view 0,0,1)
 expect_match("${errors}" "--html")
 

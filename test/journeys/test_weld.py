@@ -1,6 +1,7 @@
 """Meshes whose points are nearly at the same place: recognised, named, and welded where that makes a surface."""
 
 import random
+import re
 
 import pytest
 
@@ -51,6 +52,8 @@ def test_what_would_be_no_surface_is_refused_with_the_place(tool, scan):
     said = tool.run("repair", scan, "--weld", "0.5", "-o", "sound.off", code=4).stderr
     assert "faces along edge" in said and "near (" in said and "would not be a surface" in said
     assert not (tool.folder / "sound.off").exists()
+    said = tool.run("repair", scan, "--weld", "20%", "-o", "sound.off", code=4).stderr
+    assert re.search(r"--weld: a length of 0\.[0-9]{1,6} would join ", said)
 
 
 @pytest.mark.parametrize("length", ["x", "-1", "0", "inf"])

@@ -108,11 +108,24 @@ htl_picture::Options options_of(const Picture_options& options, const htl_scene:
   return picture;
 }
 
+// "0, 2, 5": the first of many.
+std::string list_of(std::vector<std::size_t> numbers) {
+  constexpr std::size_t most = 10;
+  std::sort(numbers.begin(), numbers.end());
+  std::string list;
+  for(std::size_t i = 0; i < (std::min)(most, numbers.size()); ++i)
+    list += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  return list + (numbers.size() > most ? ", ..." : "");
+}
+
 std::size_t row_of(std::size_t pair, const htl_scene::Scene& scene) {
   const std::vector<std::size_t>& numbers = scene.table.numbers;
   const auto row = std::find(numbers.begin(), numbers.end(), pair);
   if(row == numbers.end())
-    throw wrong_usage("--closeup " + std::to_string(pair) + ": this pair is not listed");
+    throw wrong_usage("--closeup: pair " + std::to_string(pair) +
+                      (numbers.empty()
+                           ? " does not exist: no pairs are listed"
+                           : " is not one of those that are listed: " + list_of(numbers)));
   return static_cast<std::size_t>(row - numbers.begin());
 }
 

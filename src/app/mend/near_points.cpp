@@ -135,7 +135,7 @@ void check_not_crowded(const Soup& soup,
       return;
     const auto [u, v] = ends_of(edge);
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
-                  "--weld: a length of " + in_words(length) + " would join " +
+                  "--weld: a length of " + formatted("%.6g", length) + " would join " +
                       std::to_string(faces) + " faces along " + name_of_edge(u, v) + ", near " +
                       words_of(soup.points[u]) +
                       ", and the result would not be a surface: try a smaller length");

@@ -32,8 +32,9 @@ namespace parameters = CGAL::parameters;
 void check_numbers(const std::vector<std::size_t>& numbers, std::size_t count) {
   for(const std::size_t number : numbers)
     if(number >= count)
-      throw wrong_usage("pair " + std::to_string(number) + " does not exist: the mesh has " +
-                        counted(count, "pair", "pairs") + ", numbered from 0");
+      throw wrong_usage(
+          "pair " + std::to_string(number) + " does not exist: the mesh has " +
+          (count == 0 ? "no handles" : counted(count, "pair", "pairs") + ", numbered from 0"));
 }
 
 using Changeable_pair = Changeable_pairs::value_type;

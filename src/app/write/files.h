@@ -146,7 +146,8 @@ const File_format<Writer>& format_of(const std::string& file,
       return format;
     known += " " + std::string(format.suffix);
   }
-  throw wrong_usage("cannot write " + printable(file) + ": the name must end in one of" + known);
+  throw wrong_usage("cannot write " + printable(file) + ": the name must end in" +
+                    (n == 1 ? "" : " one of") + known);
 }
 
 /// throws the same; without a name, nothing is to be written.

@@ -221,7 +221,7 @@ std::string row(const Removed_handle& handle, const std::string& name) {
 }
 
 std::string row(const Refused_handle& handle, const std::string& name) {
-  return padded(removal_columns[0], name) + formatted("  stays  %12.6g  ", handle.length) +
+  return padded(removal_columns[0], name) + formatted("  refused  %12.6g  ", handle.length) +
          handle.reason + "\n";
 }
 
@@ -640,7 +640,7 @@ std::string table_of_removals(const Removal_report& report, bool show_all) {
   if(!removed.empty())
     table += row(removal_columns, names_of(removal_columns)) + removed;
   if(!refused.empty())
-    table += " pair  refused      length  why\n" + refused;
+    table += " pair  result         length  why\n" + refused;
   return table;
 }
 

@@ -7,6 +7,7 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "words.h"
 #include "write/bytes.h"
 #include "write/meshes/single_precision.h"
 
@@ -35,9 +36,10 @@ void check_stay_apart(const Written_mesh& written) {
   }
   if(rounded_places < places)
     throw wrong_usage(
-        std::to_string(places - rounded_places) +
-        " vertices would coincide in the single precision of binary STL: use .ascii.stl, "
-        "or a format with vertices (.ply .obj .3mf)");
+        counted(places - rounded_places, "vertex would coincide with another one",
+                "vertices would coincide") +
+        " in the single precision of binary STL: use .ascii.stl, or a format with vertices "
+        "(.ply .obj .3mf)");
 }
 
 Place normal_of(const std::array<std::array<double, 3>, 3>& corners) {
