@@ -307,6 +307,8 @@ run(2 loops mesh.off -o no/such/folder.json)
 expect_match("${errors}" "cannot write no/such/folder.json")
 run(2 generate torus --genus 2 -o torus.off)
 run(2 generate torus -o torus.txt)
+run(2 generate sphere --holes 100000 -o x.off)
+expect_match("${errors}" "only 241 of 100000 holes fit")
 
 # Dual cuts: two for each pair, and one less than there are boundary curves.
 run(0 generate multi-torus --genus 2 --faces 2000 --holes 4 -o plate.off)

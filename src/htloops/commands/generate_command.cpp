@@ -48,8 +48,10 @@ generators::Soup make_from_text(const Generate_options& options) {
 
 generators::Soup generate(const generators::Kind& kind, const Generate_options& options) {
   try {
-    return options.text_file.empty() ? generators::make(kind, options.request)
-                                     : make_from_text(options);
+    const generators::Soup mesh = options.text_file.empty()
+                                      ? generators::make(kind, options.request)
+                                      : make_from_text(options);
+    return options.holes.number > 0 ? generators::with_holes(mesh, options.holes) : mesh;
   } catch(const std::invalid_argument& reason) {
     throw wrong_usage(reason.what());
   }
@@ -66,9 +68,7 @@ std::string shape_of(const generators::Soup& mesh) {
 
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
-  generators::Soup mesh = generate(kind, options);
-  if(options.holes.number > 0)
-    mesh = generators::with_holes(mesh, options.holes);
+  const generators::Soup mesh = generate(kind, options);
   write_mesh(options.mesh_file, mesh);
   if(!options.is_quiet)
     show_text(printable(options.mesh_file) + ": " + std::to_string(mesh.points.size()) +

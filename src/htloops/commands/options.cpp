@@ -98,7 +98,7 @@ void check_is_no_option(const Named_file& output) {
 }
 
 void check_picture(const Picture_options& picture) {
-  check_name(picture.file, "a picture in PNG", {".png"});
+  check_name(picture.file, "a PNG picture", {".png"});
   if((picture.has_labels || picture.has_legend) && !can_write_on_pictures())
     throw wrong_usage("--labels and --legend need a build with stb and the DejaVu fonts");
 }

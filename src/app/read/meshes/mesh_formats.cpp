@@ -97,7 +97,7 @@ std::string format_name(const Mesh_format& format) {
 }
 
 // Only once it has failed, as the header of a binary STL file may begin as it likes.
-Soup read_as(const Mesh_format& format, const Input_file& file) {
+Soup read_by_format(const Mesh_format& format, const Input_file& file) {
   try {
     return format.read(file);
   } catch(const Failure& failure) {
@@ -149,7 +149,7 @@ Soup read_soup(const Input_file& file) {
     fail_to_read(file.name(), "the file is UTF-16; save it as UTF-8 or ASCII");
   for(const Mesh_format& format : mesh_readers)
     if(file.is_of_format(format.ending))
-      return read_as(format, file);
+      return read_by_format(format, file);
   if(is_freesurfer(file.content()))
     return read_freesurfer(file);
   fail_at_format(file);
