@@ -230,7 +230,7 @@ def test_messages_are_in_words_of_python(torus, tmp_path):
     V, F = torus
     (tmp_path / "--repair.off").write_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
     write_off(tmp_path / "turned.off", V, np.vstack([F[:1, ::-1], F[1:]]))
-    (tmp_path / "mesh.txt").write_text("")
+    (tmp_path / "mesh.txt").write_text("mesh")
     for name, words in [
         ("--repair.off", r"--repair.off: .*; triangulate=True splits it into triangles$"),
         ("turned.off", r"; repair=True fixes this:\n  1 face flipped: face 0$"),

@@ -92,8 +92,12 @@ def test_certify_believes_nothing(genus_3, torus):
 def test_certify_is_brief(genus_3):
     V, F = genus_3
     L = htl.loops(V, F)
-    with pytest.raises(ValueError, match=r"not on this mesh:\n(  .*\n){10}  and \d+ more$"):
+    with pytest.raises(ValueError, match=r"not on this mesh:\n  .* was it scaled or moved\?$"):
         htl.certify(V + 1, F, L)
+    moved = V.copy()
+    moved[: len(V) // 4] += 1
+    with pytest.raises(ValueError, match=r"not on this mesh:\n(  .*\n){10}  and \d+ more$"):
+        htl.certify(moved, F, L)
     for name, value in [("starts", -1), ("starts", 10**9), ("edges", -5), ("edges", 10**9)]:
         changed = pickle.loads(pickle.dumps(L))
         changed._record[name].flat[1] = value

@@ -550,7 +550,8 @@ def vtk_file(polys, points="0 0 0 1 0 0 0 1 0", count=3, offsets="3"):
     ("short.vtp", vtk_file("0 1"), "an invalid offset"),
     ("beyond.vtp", vtk_file("0 1 7"), "a point that does not exist"),
     ("lines.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n", "expected $EndNodes"),
-    ("none.msh", "", "must begin with $MeshFormat"),
+    ("none.msh", "", "none.msh: the file is empty"),
+    ("text.msh", "\n", "must begin with $MeshFormat"),
 ], ids=lambda value: value[:12])
 def test_what_contradicts_itself_is_refused(tool, name, content, words):
     (tool.folder / name).write_text(content)
