@@ -125,10 +125,10 @@ def check_phrases():
 
 
 def check_messages():
-    for room in "src", "python", "include":
-        for file in sorted(file for file in (ROOT / room).rglob("*") if file.suffix in (".cpp", ".h", ".py", ".js")):
+    for room in "src", "python", "include", "cuda":
+        for file in sorted(file for file in (ROOT / room).rglob("*") if file.suffix in (".cpp", ".h", ".py", ".js", ".ts", ".cu")):
             for line in file.read_text(encoding="utf-8").splitlines():
-                for text in [] if line.lstrip().startswith(("//", "#", "*")) else re.findall(r'"[^"]*"', line):
+                for text in [] if line.lstrip().startswith(("//", "#", "*")) else re.findall(r'"[^"]*"|\'[^\']*\'|`[^`]*`', line):
                     for phrase in PRINTED:
                         if re.search(rf"\b{phrase}\b", text):
                             complain(f"{file.relative_to(ROOT)}: {text}")

@@ -17,6 +17,7 @@ _options = {
     "--triangulate": "triangulate=True",
     "--repair": "repair=True",
     " (--format says which one it is, whatever its name)": "",
+    "; try --format": "; rename it to end in",
 }
 
 RepairStep = Literal["degenerate", "weld", "duplicates", "one-sided", "pillows", "orient", "split"]

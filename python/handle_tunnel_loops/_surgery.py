@@ -116,7 +116,7 @@ def remove_handles(
         record = record_of(loops, "loops")
         for name, length in lengths.items():
             chosen[name] = length_or_none(name, length, record["diagonal"])
-        used = {"loops": loops}
+        used: Dict[str, Any] = {"loops": loops}
         limit = chosen.pop("noise_below")
         if limit is not None:
             used["measures"] = measures_of(mesh, record, error, number, part(callback, begin, 0.8))

@@ -53,7 +53,7 @@ public:
       throw std::invalid_argument("only " + std::to_string(number) + " of " +
                                   counted(holes.number, "hole", "holes") +
                                   (number == 1 || holes.number == 1 ? " fits" : " fit") +
-                                  ": use more faces, fewer holes or smaller ones (--hole-faces)");
+                                  ": use more faces, fewer holes or smaller ones");
   }
 
   Soup take() const {

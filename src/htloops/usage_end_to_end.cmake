@@ -25,7 +25,7 @@ expect_match("${errors}" "did you mean 'htloops loops none.off'?")
 
 # What belongs to another command, and files that are too many.
 run(2 loops mesh.off --pairs 1)
-expect_match("${errors}" "'--pairs' is not a known command or option of 'htloops loops'; it is one of 'htloops remove'\n")
+expect_match("${errors}" "'--pairs' is not a known command or option of 'htloops loops'; it is an option of 'htloops remove'\n")
 run(2 remove mesh.off more.off --all)
 expect_match("${errors}" "'more.off' is one file too many; -o names the file for the result\n")
 run(2 generate)
@@ -34,7 +34,7 @@ expect_match("${errors}" "a kind of mesh is required, such as torus\n")
 foreach(case IN ITEMS "loops;--box;1,2;--box takes 6 values: x,y,z,X,Y,Z" "loops;mesh.off;--csv;--csv needs a value: FILE.csv"
     "loops;--threads;0;--threads: 0 is not a number from 1 to 1024" "loops;--sort;big;--sort: 'big' is not one of length, noise"
     "remove;--all;--genus=1;--all cannot be combined with --genus" "loops;--seed;99999999999999999999;99999999999999999999 is too large"
-    "loops;--seed;1e9;1e9 is not a non-negative integer" "cut;--through;a;'a' is not VERTEX"
+    "loops;--seed;1e9;1e9 is not a non-negative integer" "cut;--through;a;'a' is not valid: it takes VERTEX,[.][.][.]"
     "cut;--through;99999;vertex 99999 does not exist: the mesh has [0-9]+ vertices, numbered from 0"
     "remove;--dry-run;--bores=8:3;--bores 8:3: write the smaller diameter first")
   list(POP_FRONT case command option value message)
@@ -46,6 +46,13 @@ foreach(option IN ITEMS --channels --noise-below)
   expect_match("${errors}" "${option} 12 is more than the diagonal of the bounding box.*Did you mean 12%[?] Use --yes")
   run(0 clean mesh.off -o clean.off ${option} 12 --yes)
 endforeach()
+
+run(2 loops mesh.off --sort size --sort pair)
+expect_match("${errors}" "--sort can be given only once")
+run(2 clean mesh.off clean.off more.off)
+expect_match("${errors}" "'more.off' is one file too many\n")
+string(REPEAT A 100000 long)
+run(2 loops mesh.off --sort ${long})
 
 # Lists are written in one way, which is told.
 foreach(arguments IN ITEMS "--view 1 0 0" "--view 1, 0, 0" "--box 0 0 0 1 1 1" "--throats --through 5 7"

@@ -50,5 +50,5 @@ def first_line_not_in(shown, text):
 
 def without_times(line):
     """The words of a line, without what differs from run to run: seconds, and how many threads there are."""
-    line = re.sub(r"\d+\.\d\d( s\b|$)", "TIME", line.replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">"))
+    line = re.sub(r"\d+\.\d\d s\b|(?<=  )\d+\.\d\d$", "TIME", line.replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">"))
     return re.sub(r"\d+ threads?\b", "THREADS", line).split()

@@ -92,8 +92,8 @@ std::string words_of_left(const Mesh& mesh, const Pairs& pairs) {
               ? std::string("1 handle, ") + (number == 0 ? "without" : "with")
               : std::to_string(pairs.size()) + " handles, " +
                     (number == 0 ? "none" : std::to_string(number)) + " of them with") +
-         " a loop shorter than 3% of the diagonal: use --noise-below or --genus to remove "
-         "some";
+         " a loop shorter than 3% of the diagonal: use --noise-below or --genus to remove " +
+         (pairs.size() == 1 ? "it" : "some");
 }
 
 } // namespace
@@ -131,8 +131,8 @@ Handle_step remove_small_handles(const Mesh& mesh,
   if(!noise_below && !options.genus && !pairs.empty())
     step.record.left = {words_of_left(mesh, pairs)};
   if(pairs.size() < options.genus.value_or(0))
-    step.record.left = {counted(pairs.size(), "handle", "handles") +
-                        ", fewer than --genus asks for"};
+    step.record.left = {counted(pairs.size(), "handle", "handles") + ", fewer than --genus " +
+                        std::to_string(*options.genus)};
   if(pairs.size() <= options.genus.value_or(0) || !(noise_below || options.genus))
     return step;
   Removal_options wanted;

@@ -172,10 +172,12 @@ std::string cut_to_disks(const Cut_command_options& options, const Cut_mesh& rea
 }
 
 std::string words_of_dual_cuts(const Mesh& mesh, const Dual_cuts& duals, double read_seconds) {
-  return "genus " + std::to_string(duals.statistics.genus) + ": " +
-         counted(duals.cuts.size(), "dual cut", "dual cuts") +
-         formatted(" of total length %.6g; %.2f s after %.2f s of reading, ",
-                   length_of(mesh, duals), duals.total_seconds, read_seconds) +
+  const std::string cuts = duals.cuts.empty()
+                               ? "no dual cuts"
+                               : counted(duals.cuts.size(), "dual cut", "dual cuts") +
+                                     formatted(" of total length %.6g", length_of(mesh, duals));
+  return "genus " + std::to_string(duals.statistics.genus) + ": " + cuts +
+         formatted("; %.2f s after %.2f s of reading, ", duals.total_seconds, read_seconds) +
          counted(static_cast<std::size_t>(duals.number_of_threads), "thread", "threads") + "\n";
 }
 

@@ -562,7 +562,7 @@ parse_length(const std::string& option, const std::string& text, double whole) {
 
 void check_length_of_mesh(const std::string& option, const std::string& text, double diagonal) {
   const auto length = parse_length(option, text, diagonal);
-  if(!length || *length <= diagonal)
+  if(!length || !(*length > diagonal)) // as also where it is not a number
     return;
   const bool has_sign = text.back() == '%';
   throw wrong_usage(option + " " + text + " is more than the diagonal of the bounding box, " +

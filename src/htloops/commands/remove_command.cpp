@@ -192,7 +192,10 @@ std::string words_of_bores(const Remove_options& options,
     if(pair.diameter.bore)
       diameters.push_back(pair.diameter.value);
   if(diameters.empty())
-    return "none of the " + counted(answer.pairs.size(), "hole", "holes") + " is a round bore\n";
+    return answer.pairs.empty() ? "there are no holes\n"
+           : answer.pairs.size() == 1
+               ? "the only hole is not a round bore\n"
+               : "none of the " + std::to_string(answer.pairs.size()) + " holes is a round bore\n";
   const auto [least, largest] = std::minmax_element(diameters.begin(), diameters.end());
   return "no bore has a diameter in this range; " +
          counted(diameters.size(), "round bore has", "round bores have") +

@@ -46,7 +46,7 @@ bool are_triangles(const Soup& soup) {
 void require_fit(const std::string& file,
                  const std::vector<Defect>& defects,
                  bool are_triangles,
-                 bool is_dry_run) {
+                 const std::string& what_was_written) {
   if(defects.empty())
     return;
   std::string text =
@@ -54,9 +54,8 @@ void require_fit(const std::string& file,
   for(const Defect& defect : defects)
     text += "\n  " + defect.message;
   if(!are_triangles)
-    text += "\nadd --triangulate" + std::string(is_dry_run ? "" : "; nothing was written");
-  else if(!is_dry_run)
-    text += "\nit was written all the same";
+    text += "\nadd --triangulate";
+  text += what_was_written;
   throw Failure(Exit_code::UNACCEPTABLE_MESH, text);
 }
 
@@ -72,11 +71,15 @@ void run(const Repair_options& options) {
   if(!options.is_quiet && !(mended.changes.empty() && !defects.empty()))
     std::fputs(table_of_changes(file.name(), mended.changes, options.is_dry_run).c_str(), stderr);
   const bool are_all_triangles = are_triangles(mended.soup);
-  if(!options.is_dry_run && are_all_triangles && !mended.soup.faces.empty()) {
+  const bool is_written = !options.is_dry_run && are_all_triangles && !mended.soup.faces.empty();
+  if(is_written) {
     write_mesh(options.written_mesh_file, triangles_of(mended.soup), mended.soup.facts);
     show_note_on_unit(options, options.written_mesh_file, mended.soup.facts);
   }
-  require_fit(file.name(), defects, are_all_triangles, options.is_dry_run);
+  require_fit(file.name(), defects, are_all_triangles,
+              options.is_dry_run ? ""
+              : is_written       ? "\nit was written all the same"
+                                 : "\nnothing was written");
   if(!options.is_quiet)
     show_note(file.name(), near_boundary_of(built.mesh));
 }

@@ -88,12 +88,13 @@ std::string words_of_unknown(const CLI::App& command, const std::string& word) {
   const bool is_of_tool = command.get_parent() == nullptr;
   if(!is_of_tool && is_named_as_mesh(word))
     return "'" + printable(word) + "' is one file too many" +
-           (command.get_option_no_throw("--output") != nullptr
+           (command.get_option_no_throw("--output") != nullptr &&
+                    command.get_option_no_throw("OUT") == nullptr
                 ? "; -o names the file for the result"
                 : "");
   const std::string unknown = "'" + printable(word) + "' is not a known command or option";
   if(const std::vector<std::string> others = commands_with(command, word); !others.empty())
-    return unknown + " of '" + name_of(command) + "'; it is one of " +
+    return unknown + " of '" + name_of(command) + "'; it is an option of " +
            boost::algorithm::join(others, ", ");
   const std::string meant = is_of_tool && is_named_as_mesh(word)
                                 ? name_of(command) + " loops " + printable(word)
@@ -109,9 +110,15 @@ std::string taken_by(const CLI::App& command, const std::string& name) {
 
 // Messages of CLI11 in the words of this tool.
 std::string words_of_error(const CLI::App& command, const std::string& message) {
+  constexpr std::size_t longest = 1000; // for expressions that go as deep as a text is long
+  if(message.size() > longest)
+    return message;
   std::smatch found;
-  if(std::regex_match(message, found,
-                      std::regex("(--?[a-z-]+): (?:At least|At most|Exactly) ([0-9]+) required.*")))
+  if(std::regex_match(message, found, std::regex("(--?[a-z-]+): At [Mm]ost 1 required.*")))
+    return found.str(1) + " can be given only once";
+  if(std::regex_match(
+         message, found,
+         std::regex("(--?[a-z-]+): (?:At [Ll]east|At [Mm]ost|Exactly) ([0-9]+) required.*")))
     return found.str(1) + " takes " + found.str(2) + " values: " + taken_by(command, found.str(1));
   if(std::regex_match(message, found, std::regex("(--?[a-z-]+): 1 required .*missing")))
     return found.str(1) + " needs a value: " + taken_by(command, found.str(1));
@@ -124,7 +131,8 @@ std::string words_of_error(const CLI::App& command, const std::string& message) 
     return found.str(1) + ": '" + found.str(2) + "' is not one of " +
            std::regex_replace(found.str(3), std::regex(","), ", ");
   if(std::regex_match(message, found, std::regex("Could not convert: (--?[a-z-]+) = (.*)")))
-    return found.str(1) + ": '" + found.str(2) + "' is not " + taken_by(command, found.str(1));
+    return found.str(1) + ": '" + found.str(2) + "' is not valid: it takes " +
+           taken_by(command, found.str(1));
   if(std::regex_match(message, found, std::regex("(.*) excludes (.*)")))
     return found.str(1) + " cannot be combined with " + found.str(2);
   if(std::regex_match(message, found, std::regex("(--?[a-z-]+) requires (.*)")))

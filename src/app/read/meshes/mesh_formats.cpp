@@ -106,8 +106,8 @@ Soup read_by_format(const Mesh_format& format, const Input_file& file) {
        other->read == format.read)
       throw;
     fail_to_read(file.name(), "it is not " + format_name(format) + ", but looks like " +
-                                  format_name(*other) + "; --format " +
-                                  std::string(other->ending.substr(1)) + " reads it");
+                                  format_name(*other) + "; try --format " +
+                                  std::string(other->ending.substr(1)));
   }
 }
 

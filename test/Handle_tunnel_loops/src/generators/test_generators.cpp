@@ -432,8 +432,7 @@ TEST(Holes, AreAllMadeOrRefused) {
     FAIL() << "there is no room";
   } catch(const std::invalid_argument& e) {
     EXPECT_EQ(e.what(), "only " + std::to_string(most) +
-                            " of 100000 holes fit: use more faces, fewer holes or smaller ones "
-                            "(--hole-faces)");
+                            " of 100000 holes fit: use more faces, fewer holes or smaller ones");
   }
 }
 

@@ -249,6 +249,16 @@ TEST_F(Loops_json, says_once_that_the_mesh_was_scaled_or_moved) {
   }
 }
 
+TEST_F(Loops_json, rounded_meshes_are_neither_scaled_nor_moved) {
+  Mesh other = mesh_;
+  for(const Mesh::Vertex_index v : other.vertices()) // the mesh has numbers of few digits
+    other.point(v) = CGAL::ORIGIN + (1. + 1e-7) * (other.point(v) - CGAL::ORIGIN);
+  const Bound_loops loops = bind_loops(read_again(), other);
+  EXPECT_TRUE(loops.are_placed);
+  ASSERT_GT(loops.problems.size(), 1u);
+  EXPECT_NE(loops.problems[0].find("the point does not match"), std::string::npos);
+}
+
 TEST_F(Loops_json, loops_are_complete_where_only_what_is_said_of_them_is_wrong) {
   document_["pairs"][0]["handle"]["length"] = 7;
   const Bound_loops wrong = bind_loops(read_again(), mesh_);

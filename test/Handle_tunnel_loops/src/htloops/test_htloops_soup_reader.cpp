@@ -398,10 +398,10 @@ TEST_F(Soup_reader, says_which_other_format_a_file_looks_like) {
   const auto& endings = endings_of_meshes();
   if(std::count(endings.begin(), endings.end(), ".glb") != 0)
     expect_failure("a.stl", "glTF" + std::string(80, '\0') + std::string(80, '\1'),
-                   "it is not STL, but looks like GLB; --format glb reads it");
-  expect_failure("a.obj", off_file(), "it is not OBJ, but looks like OFF; --format off reads it");
+                   "it is not STL, but looks like GLB; try --format glb");
+  expect_failure("a.obj", off_file(), "it is not OBJ, but looks like OFF; try --format off");
   expect_failure("a.off", obj_file(), ":1: an OFF file begins"); // no mark of OBJ
-  expect_failure("a.off", ply_header("ascii") + points + faces, "looks like PLY; --format ply");
+  expect_failure("a.off", ply_header("ascii") + points + faces, "looks like PLY; try --format ply");
   // The header of a binary STL file may begin as it likes.
   std::string binary = binary_stl_file(-0.2f);
   expect_tetrahedron("a.stl", binary.replace(0, 4, "OFF "));
