@@ -14,6 +14,7 @@
 #include "write/Graphml_writer.h"
 #include "write/files.h"
 #include "write/mesh_writer.h"
+#include "write/tables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -33,12 +33,12 @@ struct Picture_options
   bool is_view_given = false; ///< what is drawn large is seen from there, too
 };
 
+/// of a surface with lines inside, if no other was asked for.
+constexpr double opacity_around_bones_in_pictures = 0.15;
+
 #ifdef HTLOOPS_HAS_PICTURE
 
 constexpr bool has_pictures = true;
-
-/// of a surface with lines inside, if no other was asked for.
-constexpr double opacity_around_bones_in_pictures = 0.15;
 
 /// whether labels and legends can be written.
 bool can_write_on_pictures();
