@@ -88,6 +88,10 @@ Clean_options clean_options(const Clean_command_options& options) {
   return result;
 }
 
+bool is_skipped(const Clean_command_options& options, Clean_step step) {
+  return std::count(options.skipped.begin(), options.skipped.end(), name_of(step)) > 0;
+}
+
 // Who leaves a step out has nothing to say of it.
 void check_skipped(const Clean_command_options& options) {
   const std::pair<const char*, bool> said[] = {{"--weld", options.remedies.weld.has_value()},
@@ -98,8 +102,7 @@ void check_skipped(const Clean_command_options& options) {
   const Clean_step steps[] = {Clean_step::REPAIR, Clean_step::CHANNELS, Clean_step::FLOATERS,
                               Clean_step::HANDLES, Clean_step::HANDLES};
   for(std::size_t i = 0; i < std::size(said); ++i)
-    if(said[i].second &&
-       std::count(options.skipped.begin(), options.skipped.end(), name_of(steps[i])) > 0)
+    if(said[i].second && is_skipped(options, steps[i]))
       throw wrong_usage(std::string(said[i].first) +
                         " is for a step that --skip leaves out: " + name_of(steps[i]));
 }
@@ -133,11 +136,10 @@ Cleaned_soup cleaned(Soup soup, const Clean_command_options& options) {
   } catch(const Failure& failure) {
     if(failure.code() != Exit_code::UNACCEPTABLE_MESH)
       throw;
-    const bool is_repair_skipped =
-        std::count(options.skipped.begin(), options.skipped.end(), name_of(Clean_step::REPAIR)) > 0;
-    throw Failure(failure.code(),
-                  printable(options.mesh_file) + ": " + failure.what() +
-                      (is_repair_skipped ? "\nthe step 'repair' may help: do not skip it" : ""));
+    throw Failure(failure.code(), printable(options.mesh_file) + ": " + failure.what() +
+                                      (is_skipped(options, Clean_step::REPAIR)
+                                           ? "\nthe step 'repair' may help: do not skip it"
+                                           : ""));
   }
 }
 

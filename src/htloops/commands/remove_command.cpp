@@ -163,13 +163,17 @@ std::string words_of_length(const Remove_options& options,
          " shorter\n";
 }
 
+bool has_chosen_none(const Removal_report& report) {
+  return report.removed.empty() && report.refused.empty();
+}
+
 // Where no handle was below it: how far that is from what there is.
 std::string words_of_noise(const Remove_options& options,
                            const Mesh& mesh,
                            const Answer& answer,
                            const Removal_report& report) {
   const auto length = parse_length("--noise-below", options.noise_below, diagonal_of(mesh));
-  if(!length || !report.removed.empty() || !report.refused.empty())
+  if(!length || !has_chosen_none(report))
     return "";
   std::optional<double> least;
   for(const Measure& measure : answer.measures)
@@ -185,7 +189,7 @@ std::string words_of_bores(const Remove_options& options,
                            const Mesh& mesh,
                            const Answer& answer,
                            const Removal_report& report) {
-  if(options.bores.empty() || !report.removed.empty() || !report.refused.empty())
+  if(options.bores.empty() || !has_chosen_none(report))
     return "";
   std::vector<double> diameters;
   for(const Listed_pair& pair : list_pairs(mesh, answer))
