@@ -447,7 +447,7 @@ private:
     Numbers numbers(loops_.size(), 0);
     const Crossing_loop loop = search_mesh_.loop_along(f.walk);
     ASSERT_TRUE(are_consecutive(mesh_, loop));
-    for(const auto& [other, number] : classes_.index().intersections(loop))
+    for(const auto& [other, number] : Crossing_index(mesh_, loops_).intersections(loop))
       numbers[other] = static_cast<int>(number);
     EXPECT_TRUE(crosses_no_wall(numbers, t));
     EXPECT_TRUE(is_unit(numbers, t));

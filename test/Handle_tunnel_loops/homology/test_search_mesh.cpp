@@ -322,7 +322,7 @@ std::size_t expect_walks_counted(const Search_mesh& mesh, Index number_of_loops)
       });
       for(Index loop = 0; loop < number_of_loops; ++loop)
         EXPECT_EQ(mesh.number(v, step, loop), numbers[loop]);
-      crossed += !mesh.sums(v, step).is_zero();
+      crossed += !mesh.sums_from(v)[step].is_zero();
     }
   return crossed;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -143,6 +144,32 @@ TEST_P(Crossing_loops, HaveNoSpursLeft) {
     for(std::size_t j = 0; n >= 3 && j < n; ++j) {
       EXPECT_NE(walk[j], walk[(j + 1) % n]);
       EXPECT_NE(walk[j], walk[(j + 2) % n]);
+    }
+  }
+}
+
+// An edge is known at both ends, loop by loop.
+TEST_P(Crossing_loops, AreKnownAtTheVerticesBesideThem) {
+  const std::vector<Crossing_loop> loops = random_loops(mesh, random, 10);
+  const Crossing_index index(mesh, loops);
+  std::vector<std::vector<std::array<Index, 3>>> expected(mesh.number_of_vertices());
+  for(Index j = 0; j < loops.size(); ++j)
+    for(const Crossing& c : loops[j]) {
+      expected[c.left].push_back({c.right, j, 1});
+      expected[c.right].push_back({c.left, j, 0});
+    }
+  const std::vector<Index> begins = index.begins_of_all();
+  ASSERT_EQ(begins.size(), mesh.number_of_vertices() + 1);
+  EXPECT_EQ(begins.back(), index.entries().size());
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    const auto entries = index.entries_at(v);
+    EXPECT_EQ(index.has_crossing(v), !expected[v].empty());
+    ASSERT_EQ(entries.size(), expected[v].size());
+    ASSERT_EQ(begins[v + 1] - begins[v], entries.size());
+    for(std::size_t i = 0; i < entries.size(); ++i) {
+      const auto& e = entries[i];
+      EXPECT_EQ((std::array<Index, 3>{e.other, e.loop, e.sign == 1 ? 1u : 0u}), expected[v][i]);
+      EXPECT_EQ(index.entries()[begins[v] + i].other, e.other);
     }
   }
 }

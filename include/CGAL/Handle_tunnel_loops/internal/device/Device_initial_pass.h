@@ -90,7 +90,7 @@ public:
         sources.push_back({c.left, 0});
         sources.push_back({c.right, 0});
       }
-    const Buffer<Index> begins = uploaded(executor_, index.begins());
+    const Buffer<Index> begins = uploaded(executor_, index.begins_of_all());
     const Buffer<Crossing_entry> entries = uploaded(executor_, index.entries());
     run(Whole_mesh_domain(mesh_.view(), {begins.span(), entries.span()}), sources, k,
         [](double) { return true; });

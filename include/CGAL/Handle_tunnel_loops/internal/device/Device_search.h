@@ -337,7 +337,7 @@ public:
 
   std::vector<Dual_walks>
   run(const Dual_loop_query& search, const Step_coefficients& k, const Callback& callback) {
-    const auto begins = uploaded(executor_, search.index.begins());
+    const auto begins = uploaded(executor_, search.index.begins_of_all());
     const auto entries = uploaded(executor_, search.index.entries());
     const Wall_arrays<Loop_set> walls = {begins.span(), entries.span()};
     const std::size_t number = search.numbers.size();

@@ -287,11 +287,12 @@ private:
     };
     side.paths.grow(goes_on, [&](Index v) {
       visits -= ++settled % 2;
+      const Sums_of_steps sums = mesh_.sums_from(v);
       for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
         const float there = side.paths[v].distance + mesh_.length(v, step);
         const Index head = mesh_.head(step);
         if(there < side.paths[head].distance && is_wanted(head, there) &&
-           (mesh_.sums(v, step).is_zero() || number(v, step) == 0))
+           (sums[step].is_zero() || number(v, step) == 0))
           side.paths.reach(head, {there});
       }
     });
@@ -425,11 +426,12 @@ private:
     Label there = here;
     there.parent = l;
     there.is_settled = false;
+    const Sums_of_steps sums_from_here = mesh_.sums_from(here.vertex);
     for(Index step = mesh_.begin(here.vertex); step != mesh_.end(here.vertex); ++step) {
       there.vertex = mesh_.head(step);
       there.step = step;
       there.distance = here.distance + mesh_.length(here.vertex, step);
-      const Class_sums sums = mesh_.sums(here.vertex, step);
+      const Class_sums sums = sums_from_here[step];
       there.sums = here.sums + sums;
       there.copy = here.copy;
       if(partner_ != nullptr && !sums.is_zero())

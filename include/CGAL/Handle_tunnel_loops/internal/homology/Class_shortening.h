@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Neighbor_sums.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -93,7 +94,8 @@ public:
     if(!is_small()) {
       is_open_ = is_new;
       overestimate_ = 1.;
-      repeat((std::max)(visits(), visits_for_new() * number_of_new / (number_of_new + 8.)));
+      repeat((std::max)(visits(), visits_for_new() * number_of_new / (number_of_new + 8.)),
+             part_while_it_pays * visits_for_new());
     }
     if(visits() > least_visits * double(loops.size())) {
       is_open_.resize(loops.size());
@@ -123,10 +125,12 @@ private:
                           hardly_shorter = 0.997;
 
   static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
-  static constexpr double most_overestimate = 4.; // that is made use of
-  static constexpr double least_visits = 200.;    // of a loop, that could find anything
-  static constexpr double larger_part = 3.;       // of a part before
-  static constexpr double part_on_coarse = 0.6;   // of visits
+  static constexpr double most_overestimate = 4.;    // that is made use of
+  static constexpr double least_visits = 200.;       // of a loop, that could find anything
+  static constexpr double larger_part = 3.;          // of a part before
+  static constexpr double part_on_coarse = 0.6;      // of visits
+  static constexpr double part_while_it_pays = 2.;   // of visits for new loops, beside these
+  static constexpr double gain_worth_visits = 0.999; // in a round
   static constexpr double few_vertices = 40000., many_vertices = 200000.;
   static constexpr double most_patience = 8.;         // visits over those that are expected
   static constexpr double part_for_small_cells = 0.1; // of visits, at most
@@ -243,11 +247,13 @@ private:
     }
   }
 
-  // Looks for the open loops, and for those that are opened by it, as long as there are visits.
-  // Returns how many are left.
-  double repeat(double visits) {
+  // Looks for the open loops, and for those that are opened by it, as long as there are visits. A
+  // round that gains something is given back what it took, as far as what is to spare goes. Returns
+  // how many visits are left.
+  double repeat(double visits) { return repeat(visits, (std::max)(0., visits_for_new() - visits)); }
+
+  double repeat(double visits, double spare) {
     part_ = 0.;
-    double spare = (std::max)(0., visits_for_new() - visits);
     for(int round = 0; round < most_rounds && visits > 0.; ++round) {
       const double before = total_length(), share = visits;
       visits -= double(size_of_loops());
@@ -258,7 +264,7 @@ private:
       // It goes on as long as it pays.
       if(are_all_searched_ && total_length() > hardly_shorter * before)
         break;
-      if(total_length() < 0.995 * before) {
+      if(total_length() < gain_worth_visits * before) {
         const double more = (std::max)(0., (std::min)(spare, share - visits));
         visits += more;
         spare -= more;
@@ -461,23 +467,28 @@ private:
       wanted.push_back(
           {part_ * (is_refined() ? refined_edges : poor_edges) * lengths_[i], &duals[i]});
     Search_targets targets(std::move(wanted));
-    const auto [ground, level] = scale(part_ * task.length, task.partner);
-    ground->search(level, task.partner, {is_pure && is_tunnel, is_lean_, task.effort.spacing},
-                   targets, task.left);
+    const Scale own = scale(part_ * task.length, task.partner);
+    own.ground->search(own.level, task.partner,
+                       {is_pure && is_tunnel, is_lean_, task.effort.spacing}, targets, task.left);
+    const std::vector<Search_targets::Found> found = targets.take_found();
+    std::vector<std::optional<Candidate>> tightened(found.size());
+    for_each_index(
+        execution_, found.size(),
+        [&](std::size_t i) {
+          if(found[i].walk.size() < 3)
+            return;
+          double limit = 0.;
+          for(Index t : found[i].targets)
+            limit = (std::max)(limit, lengths_[task.targets[t]]);
+          if(std::optional<Crossing_loop> loop =
+                 own.ground->tightened(execution_, found[i].walk, limit))
+            tightened[i] = candidate(std::move(*loop));
+        },
+        1);
     std::vector<Candidate> candidates;
-    for(const Search_targets::Found& found : targets.take_found()) {
-      if(found.walk.size() < 3)
-        continue;
-      double limit = 0.;
-      for(Index t : found.targets)
-        limit = (std::max)(limit, lengths_[task.targets[t]]);
-      std::optional<Crossing_loop> loop = ground->tightened(execution_, found.walk, limit);
-      if(!loop)
-        continue;
-      std::optional<Candidate> c = candidate(std::move(*loop));
+    for(std::optional<Candidate>& c : tightened)
       if(c && !(is_pure && !is_of_kind(c->numbers, is_tunnel)))
         candidates.push_back(std::move(*c));
-    }
     return candidates;
   }
 
@@ -495,9 +506,9 @@ private:
   // Shorter sums of two loops, at least one of which is fresh. Returns whether there are any.
   bool find_sums() {
     classes_ = std::make_unique<Loop_classes>(execution_, mesh_, *loops_);
+    const Crossing_index index(mesh_, *loops_);
     Workspace_pool<Neighbor_sums> neighbor_sums([&] {
-      return std::make_unique<Neighbor_sums>(execution_, mesh_, *loops_, classes_->index(),
-                                             lengths_);
+      return std::make_unique<Neighbor_sums>(execution_, mesh_, *loops_, index, lengths_);
     });
     std::vector<std::vector<Candidate>> found(loops_->size());
     for_each_index(

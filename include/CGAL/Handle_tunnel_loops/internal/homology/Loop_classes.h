@@ -48,8 +48,8 @@ class Loop_classes
 public:
   /// \p loops are a basis.
   Loop_classes(Execution execution, const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : index_(execution, mesh, loops)
-      , crossings_(std::make_shared<const Edge_crossings>(execution, mesh, index_))
+      : crossings_(
+            std::make_shared<const Edge_crossings>(execution, mesh, Crossing_index(mesh, loops)))
       , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); })
       , rows_(loops.size()) {
     for_each_index(
@@ -66,9 +66,6 @@ public:
   std::size_t size() const { return rows_.size(); }
 
   /// which loops of the basis cross which edges.
-  const Crossing_index& index() const { return index_; }
-
-  /// the same by edge.
   const std::shared_ptr<const Edge_crossings>& edge_crossings() const { return crossings_; }
 
   /// the intersection numbers of a curve with the basis.
@@ -101,7 +98,6 @@ public:
   }
 
 private:
-  Crossing_index index_;
   std::shared_ptr<const Edge_crossings> crossings_;
   mutable Workspace_pool<Sparse_sum<std::int64_t>> sums_;
   std::vector<Class_vector> rows_;

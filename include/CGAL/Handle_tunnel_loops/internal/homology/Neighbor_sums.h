@@ -125,12 +125,10 @@ private:
         const Index v = loops_[i][at].*end;
         if(at > 0 && loops_[i][at - 1].*end == v)
           continue;
-        for(Index e = index_.begins()[v]; e != index_.begins()[v + 1]; ++e) {
-          const Crossing_entry& entry = index_.entries()[e];
+        for(const Crossing_entry& entry : index_.entries_at(v))
           if(numbers_[entry.loop]++ == 0)
             found.push_back(
                 {entry.loop, at, end, entry.sign == 1 ? &Crossing::left : &Crossing::right});
-        }
       }
     return found;
   }

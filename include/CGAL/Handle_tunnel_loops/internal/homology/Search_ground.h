@@ -65,7 +65,7 @@ public:
           [&](std::size_t i) { projected_[i] = coarse_->projected(loops[i]); }, 16);
       loops_ = &projected_;
       edge_classes_.emplace(std::make_shared<const Edge_crossings>(
-                                execution, mesh_, Crossing_index(execution, mesh_, projected_)),
+                                execution, mesh_, Crossing_index(mesh_, projected_)),
                             is_pure);
     } else
       edge_classes_.emplace(crossings, is_pure);

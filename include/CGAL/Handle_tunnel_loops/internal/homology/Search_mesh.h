@@ -56,6 +56,24 @@ struct Class_sums
   }
 };
 
+/// The sums of the steps from a vertex, by step.
+class Sums_of_steps
+{
+public:
+  /// \p sums are those of the step \p first and the next ones; null if all are zero.
+  Sums_of_steps(const Class_sums* sums, Index first)
+      : sums_(sums)
+      , first_(first) {}
+
+  Class_sums operator[](Index step) const {
+    return sums_ == nullptr ? Class_sums() : sums_[step - first_];
+  }
+
+private:
+  const Class_sums* sums_;
+  Index first_;
+};
+
 /// What each edge contributes to the sums of walks, and which loops cross it. Loops 2k and 2k + 1
 /// are a pair.
 class Edge_classes
@@ -77,10 +95,17 @@ public:
   /// the sums of a walk that crosses a loop once.
   const Class_sums& weight(Index loop) const { return weights_[loop]; }
 
-  /// the sums of the edge from `v` to its neighbour in this position of its ring.
-  Class_sums sums_at(Index v, Index position) const {
+  /// the sums of the edges from `v` to its neighbors, which have numbers from \p first_step on.
+  Sums_of_steps sums_from(Index v, Index first_step) const {
+    const Index edge = crossings_->first_edge(v);
+    return {edge == no_index ? nullptr : sums_.data() + edge, first_step};
+  }
+
+  /// which loops cross the edge from `v` to its neighbor in this position of its ring.
+  Span<const Edge_crossings::Term> terms_at(Index v, Index position) const {
     const Index first = crossings_->first_edge(v);
-    return first == no_index ? Class_sums() : sums_[first + position];
+    return first == no_index ? Span<const Edge_crossings::Term>()
+                             : crossings_->terms(first + position);
   }
 
   /// calls `f(loop, number)` for the loops that cross a way from `u` along an edge to `v`, or on
@@ -180,25 +205,26 @@ private:
     nodes_.push_back(v);
     ways_.grow([&](Index u) {
       const Way here = ways_[u];
+      const Sums_of_steps sums = mesh_.sums_from(u);
       for(Index step = mesh_.begin(u); step != mesh_.end(u); ++step) {
         const float there = here.distance + mesh_.length(u, step);
         const Way& way = ways_[mesh_.head(step)];
         // What is reached through u follows it, also where rounding hides that it is nearer.
         const bool follows = way.parent == u && way.step == step && way.node != here.node;
         if(follows || there < (std::min)(way.distance, spacing_))
-          ways_.reach(mesh_.head(step),
-                      {there, here.node, u, step, here.sums + mesh_.sums(u, step)});
+          ways_.reach(mesh_.head(step), {there, here.node, u, step, here.sums + sums[step]});
       }
     });
   }
 
   void add_steps(Index v) {
     const Way& here = ways_[v];
+    const Sums_of_steps sums_from_here = mesh_.sums_from(v);
     for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
       const Way& there = ways_[mesh_.head(step)];
       if(there.node == no_index)
         continue;
-      Class_sums sums = here.sums + mesh_.sums(v, step);
+      Class_sums sums = here.sums + sums_from_here[step];
       sums.add(-1, there.sums);
       if(there.node == here.node && sums.is_zero())
         continue;
@@ -338,10 +364,10 @@ public:
       const auto term = std::lower_bound(own.begin(), own.end(), std::make_pair(loop, INT_MIN));
       return term != own.end() && term->first == loop ? term->second : 0;
     }
-    int sum = 0;
-    for_each_term(v, head(step),
-                  [&](Index other, int number) { sum += other == loop ? number : 0; });
-    return sum;
+    for(const Edge_crossings::Term& t : classes_->terms_at(v, step - begin(v)))
+      if(t.loop == loop)
+        return t.number;
+    return 0;
   }
 
   /// calls `f(loop, number)` for the loops that cross an edge along which a step leads.
@@ -382,9 +408,9 @@ public:
     return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
   }
 
-  /// what a step from `v` crosses.
-  Class_sums sums(Index v, Index step) const {
-    return has_walks() ? sums_[step] : classes_->sums_at(v, step - begin(v));
+  /// what the steps from `v` cross.
+  Sums_of_steps sums_from(Index v) const {
+    return has_walks() ? Sums_of_steps(sums_.data(), 0) : classes_->sums_from(v, begin(v));
   }
 
   /// what a walk crosses that crosses a loop once.
@@ -516,7 +542,7 @@ private:
         way.push_back(u);
       for(; !way.empty(); way.pop_back()) {
         const Index u = way.back(), before = ways_[u].vertex;
-        const bool is_crossed = !finer_->sums(before, ways_[u].step).is_zero();
+        const bool is_crossed = !finer_->sums_from(before)[ways_[u].step].is_zero();
         last_crossed_[u] = is_crossed ? u : last_crossed_[before];
         is_known[u] = 1;
       }

@@ -13,8 +13,14 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Vertex_subset.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -46,36 +52,47 @@ Which loops of a family cross which edges, and how.
 Read as functions on the directed edges, the loops are cocycles: a walk on the edges meets loop j in
 as many points, counted with sign, as the sum of loop j's values along it. That number is a matter
 of integers; where on an edge it is crossed, and in which order by several loops, plays no part.
+
+It takes time and memory for the vertices beside the loops, of the others hardly any.
 */
 class Crossing_index
 {
 public:
   Crossing_index(const Flat_mesh& mesh, const std::vector<Crossing_loop>& loops)
-      : begin_(mesh.number_of_vertices() + 1, 0) {
-    count(loops);
-    const Index last = begin_.back();
-    std::exclusive_scan(begin_.begin(), begin_.end(), begin_.begin(), Index(0));
-    fill(loops, begin_.back() + last);
+      : number_of_vertices_(mesh.number_of_vertices())
+      , vertices_(number_of_vertices_) {
+    for_each_end(loops, [this](Index v, const Crossing_entry&) { vertices_.insert(v); });
+    vertices_.count();
+    // The entries of vertex i are counted at i + 2, so that they begin at i + 1, and end there once
+    // they are in their places.
+    begin_.assign(vertices_.size() + 2, 0);
+    for_each_end(loops, [this](Index v, const Crossing_entry&) {
+      ++begin_[vertices_.number_before(v) + 2];
+    });
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    entries_.resize(begin_.back());
+    for_each_end(loops, [this](Index v, const Crossing_entry& entry) {
+      entries_[begin_[vertices_.number_before(v) + 1]++] = entry;
+    });
+    begin_.pop_back();
   }
 
-  /// \p execution is an `Execution`, which this header, being one of kernels, knows nothing of.
-  template <typename Execution>
-  Crossing_index(Execution execution,
-                 const Flat_mesh& mesh,
-                 const std::vector<Crossing_loop>& loops)
-      : begin_(mesh.number_of_vertices() + 1, 0) {
-    count(loops);
-    fill(loops, sum_before_each(execution, begin_));
-  }
+  /// the vertices that have entries.
+  const Vertex_subset& vertices() const { return vertices_; }
 
-  bool has_crossing(Index v) const { return begin_[v] != begin_[v + 1]; }
+  bool has_crossing(Index v) const { return vertices_.contains(v); }
 
   /// whether the edge u - v is crossed by one of the given loops.
   template <typename Loop_set> bool is_crossed(Index u, Index v, const Loop_set& loops) const {
-    if(number_of_entries(v) < number_of_entries(u))
+    if(!has_crossing(u) || !has_crossing(v))
+      return false;
+    Span<const Crossing_entry> entries = entries_at(u);
+    if(const auto others = entries_at(v); others.size() < entries.size()) {
+      entries = others;
       std::swap(u, v);
+    }
     // The entries are sorted by loop, so the loops of a set are found from the end.
-    for(auto it = end(u); it != begin(u) && !loops.are_all_after((--it)->loop);)
+    for(auto it = entries.end(); it != entries.begin() && !loops.are_all_after((--it)->loop);)
       if(it->other == v && loops.contains(it->loop))
         return true;
     return false;
@@ -83,12 +100,11 @@ public:
 
   /// adds what the walk from `u` to `v`, an edge, contributes to the intersection numbers.
   void add_crossings(Index u, Index v, Sparse_numbers& numbers) const {
-    const bool is_swapped = number_of_entries(v) < number_of_entries(u);
-    if(is_swapped)
-      std::swap(u, v);
-    for(auto it = begin(u); it != end(u); ++it)
-      if(it->other == v)
-        numbers[it->loop] += is_swapped ? -it->sign : it->sign;
+    const auto at_u = entries_at(u), at_v = entries_at(v);
+    const bool is_swapped = at_v.size() < at_u.size();
+    for(const Crossing_entry& entry : is_swapped ? at_v : at_u)
+      if(entry.other == (is_swapped ? u : v))
+        numbers[entry.loop] += is_swapped ? -entry.sign : entry.sign;
   }
 
   /// the intersection numbers of a closed walk on the edges with the loops.
@@ -106,35 +122,38 @@ public:
     return without_zeros(std::move(numbers));
   }
 
-  /// the entries of vertex v are those from `begins()[v]` to `begins()[v + 1]`.
-  const std::vector<Index>& begins() const { return begin_; }
-  const std::vector<Crossing_entry>& entries() const { return entries_; }
-
-private:
-  using Iterator = std::vector<Crossing_entry>::const_iterator;
-
-  // An edge is known at both ends; a vertex with many may have as many entries.
-  Index number_of_entries(Index v) const { return begin_[v + 1] - begin_[v]; }
-
-  Iterator begin(Index v) const { return entries_.begin() + begin_[v]; }
-  Iterator end(Index v) const { return entries_.begin() + begin_[v + 1]; }
-
-  // The entries of v at v + 1.
-  void count(const std::vector<Crossing_loop>& loops) {
-    for(const Crossing_loop& loop : loops)
-      for(const Crossing& c : loop) {
-        ++begin_[c.left + 1];
-        ++begin_[c.right + 1];
-      }
+  /// the entries of a vertex, sorted by loop. An edge is known at both ends; a vertex with many
+  /// neighbors may have as many entries.
+  Span<const Crossing_entry> entries_at(Index v) const {
+    if(!has_crossing(v))
+      return {};
+    const Index i = vertices_.number_before(v);
+    return {entries_.data() + begin_[i], begin_[i + 1] - begin_[i]};
   }
 
-  // At v + 1 is where the entries of v begin, and in the end where they end.
-  void fill(const std::vector<Crossing_loop>& loops, std::size_t number) {
-    entries_.resize(number);
+  /// those of all vertices.
+  const std::vector<Crossing_entry>& entries() const { return entries_; }
+
+  /// where those of each of `vertices()` begin, and where the last end.
+  const std::vector<Index>& begins() const { return begin_; }
+
+  /// where those of each vertex of the mesh begin, and where the last end.
+  std::vector<Index> begins_of_all() const {
+    std::vector<Index> begins;
+    begins.reserve(number_of_vertices_ + 1);
+    for(Index v = 0; v <= number_of_vertices_; ++v)
+      begins.push_back(begin_[vertices_.number_before(v)]);
+    return begins;
+  }
+
+private:
+  // Calls `f(vertex, entry)`, loop by loop.
+  template <typename Function>
+  static void for_each_end(const std::vector<Crossing_loop>& loops, const Function& f) {
     for(Index j = 0; j < loops.size(); ++j)
       for(const Crossing& c : loops[j]) {
-        entries_[begin_[c.left + 1]++] = {c.right, j, 1};
-        entries_[begin_[c.right + 1]++] = {c.left, j, -1};
+        f(c.left, Crossing_entry{c.right, j, 1});
+        f(c.right, Crossing_entry{c.left, j, -1});
       }
   }
 
@@ -144,7 +163,9 @@ private:
     return numbers;
   }
 
-  std::vector<Index> begin_; // by vertex
+  std::size_t number_of_vertices_;
+  Vertex_subset vertices_;
+  std::vector<Index> begin_; // by vertex of the subset
   std::vector<Crossing_entry> entries_;
 };
 

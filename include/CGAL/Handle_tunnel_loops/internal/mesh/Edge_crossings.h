@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Vertex_subset.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -44,20 +45,18 @@ public:
 
   Edge_crossings(Execution execution, const Flat_mesh& mesh, const Crossing_index& index)
       : mesh_(mesh)
-      , first_(mesh.number_of_vertices())
+      , vertices_(index.vertices())
+      , first_(vertices_.size())
       , terms_(index.entries().size()) {
-    for_each_index(execution, first_.size(), [&](std::size_t v) {
-      first_[v] = has_crossing(v, index) ? mesh.ring(static_cast<Index>(v)).size() + 1 : 0;
-    });
+    const std::vector<Index> vertices = vertices_.vertices();
+    for_each_index(execution, first_.size(),
+                   [&](std::size_t i) { first_[i] = mesh.ring(vertices[i]).size() + 1; });
     begins_.resize(sum_before_each(execution, first_) + 1);
     begins_.back() = static_cast<Index>(terms_.size());
-    execution.for_ranges(first_.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    execution.for_ranges(first_.size(), 4096, [&](std::size_t begin, std::size_t end) {
       std::vector<Crossing_entry> entries;
-      for(std::size_t v = begin; v < end; ++v)
-        if(has_crossing(v, index))
-          add_edges(static_cast<Index>(v), index, entries);
-        else
-          first_[v] = no_index;
+      for(std::size_t i = begin; i < end; ++i)
+        add_edges(vertices[i], static_cast<Index>(i), index, entries);
     });
   }
 
@@ -65,7 +64,9 @@ public:
 
   /// the number of the edge from `v` to the first of its ring, which those to the others follow;
   /// `no_index` if no loop comes to an edge there.
-  Index first_edge(Index v) const { return first_[v]; }
+  Index first_edge(Index v) const {
+    return vertices_.contains(v) ? first_[vertices_.number_before(v)] : no_index;
+  }
 
   Span<const Term> terms(Index edge) const {
     return {terms_.data() + begins_[edge], begins_[edge + 1] - begins_[edge]};
@@ -75,11 +76,11 @@ public:
   /// are fewer neighbours. `no_index` if nothing crosses it, for all that is known, or if `u` is
   /// `v`.
   std::pair<Index, int> edge_between(Index u, Index v) const {
-    if(u == v || first_[u] == no_index || first_[v] == no_index)
+    if(u == v || !vertices_.contains(u) || !vertices_.contains(v))
       return {no_index, 0};
     const Ring at_u = mesh_.ring(u), at_v = mesh_.ring(v);
-    return at_u.size() <= at_v.size() ? std::make_pair(first_[u] + at_u.position(v), 1)
-                                      : std::make_pair(first_[v] + at_v.position(u), -1);
+    return at_u.size() <= at_v.size() ? std::make_pair(first_edge(u) + at_u.position(v), 1)
+                                      : std::make_pair(first_edge(v) + at_v.position(u), -1);
   }
 
   /// calls `f(loop, number)` for the loops that cross the way from `u` along an edge to `v`.
@@ -90,20 +91,18 @@ public:
   }
 
 private:
-  static bool has_crossing(std::size_t v, const Crossing_index& index) {
-    return index.has_crossing(static_cast<Index>(v));
-  }
-
-  // There are no more terms than entries.
-  void add_edges(Index v, const Crossing_index& index, std::vector<Crossing_entry>& entries) {
+  // Those of vertex `v`, which is the i-th that has a crossing. There are no more terms than
+  // entries.
+  void
+  add_edges(Index v, Index i, const Crossing_index& index, std::vector<Crossing_entry>& entries) {
     // By neighbor, and there by loop.
-    entries.assign(index.entries().begin() + index.begins()[v],
-                   index.entries().begin() + index.begins()[v + 1]);
+    const Index first_place = index.begins()[i], last_place = index.begins()[i + 1];
+    entries.assign(index.entries().begin() + first_place, index.entries().begin() + last_place);
     const auto is_before = [](const Crossing_entry& a, const Crossing_entry& b) {
       return a.other < b.other;
     };
     std::stable_sort(entries.begin(), entries.end(), is_before);
-    Index edge = first_[v], place = index.begins()[v];
+    Index edge = first_[i], place = first_place;
     for(Index u : mesh_.ring(v)) {
       begins_[edge++] = place;
       const auto [begin, end] =
@@ -117,11 +116,12 @@ private:
       }
     }
     begins_[edge] = place;
-    std::fill(terms_.begin() + place, terms_.begin() + index.begins()[v + 1], Term{0, 0});
+    std::fill(terms_.begin() + place, terms_.begin() + last_place, Term{0, 0});
   }
 
   const Flat_mesh& mesh_;
-  Uninitialized_vector<Index> first_;  // edge, by vertex
+  Vertex_subset vertices_;             // that have a crossing
+  Uninitialized_vector<Index> first_;  // edge, by vertex of these
   Uninitialized_vector<Index> begins_; // of the terms, by edge
   Uninitialized_vector<Term> terms_;   // those of a vertex from where its entries are
 };

@@ -37,9 +37,9 @@ Passes on a coarse mesh, whose loops are lifted to the fine one and made short t
 on the coarse mesh are no good, and of what is asked about fronts, they are those of the fine mesh.
 
 The fields go over a sixteenth of the vertices, and a loop that has a long way to go is tightened in
-steps four times as long. Coarse lengths are not fine ones: so it is asked once more on the fine
-mesh, among the neighbours of what was found, which is shorter; but for large meshes, where searches
-through more classes find the same.
+steps four times as long. Coarse lengths are not fine ones: so what is shorter among the neighbors
+of what was found is asked on the fine mesh alone; not for large meshes, where searches through more
+classes find the same.
 */
 class Coarse_passes final : public Passes
 {
@@ -71,6 +71,7 @@ public:
        coarse_->stretch <= most_stretch)
     {
       Pass_options options = options_;
+      options.is_coarse = true;
       options.do_log_fronts = options.do_keep_layers = options.do_keep_times = false;
       passes_ = do_levels_pay()
                     ? coarse_passes(execution_, coarse_->mesh, coarse_->mesh.seeds, options, make_)
@@ -98,7 +99,7 @@ public:
     if(!passes_)
       return;
     lift();
-    if(mesh_.number_of_vertices() < least_vertices_for_searches)
+    if(!options_.is_coarse && mesh_.number_of_vertices() < least_vertices_for_searches)
       Dual_loop_improvement(execution_, mesh_, progress).improve(handles_, tunnels_);
   }
 

@@ -426,7 +426,8 @@ public:
       Gauss_reduction(context.execution, mesh_).reduce(handles_[k], tunnels_[k]);
       progress.advance_one(handles_.size());
     });
-    Dual_loop_improvement(context.execution, mesh_, progress).improve(handles_, tunnels_);
+    if(!options_.is_coarse)
+      Dual_loop_improvement(context.execution, mesh_, progress).improve(handles_, tunnels_);
   }
 
   std::vector<Flat_pair> take_pairs() override {

@@ -64,9 +64,8 @@ public:
       , index_(index)
       , band_(mesh, stencils, k) {
     if(!Loop_set::is_one)
-      for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-        if(index.has_crossing(v))
-          band_.expect_walls(v);
+      for(Index v : index.vertices().vertices())
+        band_.expect_walls(v);
   }
 
   /// finds closed walks on the edges, the shortest first as far as the fronts can tell, for one of
@@ -250,9 +249,8 @@ public:
                                      const Crossing_index& index,
                                      const Step_coefficients& k) {
     Narrow_band band(mesh_, stencils_, k);
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v)
-      if(index.has_crossing(v))
-        band.expect_walls(v);
+    for(Index v : index.vertices().vertices())
+      band.expect_walls(v);
     for(const Crossing_loop& loop : loops)
       for(const Crossing& c : loop)
         for(Index v : {c.left, c.right})

@@ -150,8 +150,9 @@ private:
     for(std::size_t begin = 0; begin < loop.size(); begin += crossings) {
       Box<3> part = Box<3>::empty();
       for(std::size_t i = begin; i < (std::min)(loop.size(), begin + crossings); ++i)
-        for(Index v : {loop[i].left, loop[i].right})
-          extend_by_faces(v, part);
+        for(const Crossing_end end : {&Crossing::left, &Crossing::right})
+          if(i == begin || loop[i].*end != loop[i - 1].*end)
+            extend_by_faces(loop[i].*end, part);
       whole.extend(part);
       if(in_parts)
         boxes.push_back(part);

@@ -31,6 +31,7 @@ struct Pass_options : Solver_options
 {
   bool do_keep_layers = false; ///< of the vertices, in the initial pass
   bool do_keep_times = false;
+  bool is_coarse = false; ///< the mesh, whose lengths are not those of the fine one
 
   /// whether more is asked for than loops, so that the initial pass is run without handles, too.
   bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }

@@ -25,6 +25,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -174,8 +175,8 @@ template <typename Numbers>
 std::size_t sum_before_each(Execution execution, Numbers& numbers, std::size_t grain = 65536) {
   std::vector<std::size_t> sums((numbers.size() + grain - 1) / grain, 0);
   execution.for_ranges(numbers.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for(std::size_t i = begin; i < end; ++i)
-      sums[begin / grain] += numbers[i];
+    sums[begin / grain] =
+        std::accumulate(numbers.begin() + begin, numbers.begin() + end, std::size_t(0));
   });
   std::size_t sum = 0;
   for(std::size_t& s : sums)
