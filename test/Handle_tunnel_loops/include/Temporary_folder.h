@@ -1,11 +1,14 @@
 #ifndef HTL_TEST_TEMPORARY_FOLDER_H
 #define HTL_TEST_TEMPORARY_FOLDER_H
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
+#include <system_error>
+#include <thread>
 
 // A folder for the files of a test; removed with all that is in it.
 class Temporary_folder
@@ -17,7 +20,15 @@ public:
     std::filesystem::create_directory(path_);
   }
 
-  ~Temporary_folder() { std::filesystem::remove_all(path_); }
+  // A browser that is closed may still write, or remove files itself: so it is tried again.
+  ~Temporary_folder() {
+    std::error_code error;
+    std::filesystem::remove_all(path_, error);
+    for(int i = 0; i < 50 && error; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      std::filesystem::remove_all(path_, error);
+    }
+  }
   Temporary_folder(const Temporary_folder&) = delete;
   Temporary_folder& operator=(const Temporary_folder&) = delete;
 
