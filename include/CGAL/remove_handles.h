@@ -78,7 +78,7 @@ tried first. The parameters select the handles: a handle is removed if it satisf
 and without conditions all handles are removed. If a handle was removed that lies across the loop of
 another one, this loop is rerouted around the caps and remains a loop of its handle. If it would
 become much longer, or if the handle cannot be removed along it, the function uses a nearby loop
-that does not separate the surface and has at most 1.5 times the length. It does not do so if the
+that does not separate the surface and has at most twice the length. It does not do so if the
 method is `Removal_method::CUT` or `Removal_method::FILL`, because it is not known in advance which
 of the two the removal will be. Otherwise the function computes the loops of the current surface
 again and uses those at the place of the loops of the handle.

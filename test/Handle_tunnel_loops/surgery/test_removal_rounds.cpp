@@ -8,6 +8,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Ways_tried.h>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -99,7 +101,7 @@ TEST(Handles_that_come_first, LetOthersBeTriedWhenTheyFail) {
       }
     }
     random.shuffle(some.tasks);
-    some.remove(Removal_effort::ANY);
+    some.remove(Removal_effort::GIVEN_LOOPS);
     for(const Removal_task& task : some.tasks)
       EXPECT_EQ(task.state, task.comes_first ? State::REFUSED : State::REMOVED) << run;
   }
@@ -121,12 +123,70 @@ TEST(Handles_that_failed, AreTakenOutTogetherWithOthers) {
         }
         some.tasks[first].state = State::OPEN;
         some.tasks[first].region = Choice{Choice::WHOLE, loop, rings};
-        some.remove(Removal_effort::ANY, true);
+        some.remove(Removal_effort::GIVEN_LOOPS, true);
         const auto left = static_cast<std::ptrdiff_t>(number_left(some.tasks));
         EXPECT_EQ(some.euler_characteristic(), 2 - 2 * left);
         most_together = (std::max)(most_together, number - left);
       }
   EXPECT_GT(most_together, 1);
+}
+
+TEST(Ways_that_hardly_ever_do, AreGivenUpBetweenRounds) {
+  using Choice = impl::Region_choice;
+  const Choice whole{Choice::WHOLE, 0, 3}, other_loop{Choice::WHOLE, 1, 3},
+      more_rings{Choice::WHOLE, 0, 4};
+  impl::Ways_tried ways;
+  const auto fail = [&](const Choice& choice, int times) {
+    for(int i = 0; i < times; ++i)
+      ways.note_failure(choice);
+  };
+  fail(whole, 64);
+  EXPECT_FALSE(ways.is_given_up(whole));
+  ways.give_up_what_is_in_vain();
+  EXPECT_TRUE(ways.is_given_up(whole));
+  EXPECT_TRUE(ways.is_given_up(other_loop));
+  EXPECT_FALSE(ways.is_given_up(more_rings));
+  ways.note_success(whole);
+  ways.give_up_what_is_in_vain();
+  EXPECT_FALSE(ways.is_given_up(whole));
+  fail(whole, 64);
+  ways.give_up_what_is_in_vain();
+  EXPECT_TRUE(ways.is_given_up(whole));
+}
+
+TEST(Ways_that_hardly_ever_do, AreStillTriedIfTheySayWhy) {
+  using Choice = impl::Region_choice;
+  const Choice strip{Choice::STRIP, 0, 0}, strip_that_crosses{Choice::STRIP, 0, 0, true};
+  impl::Ways_tried ways;
+  for(int i = 0; i < 1000; ++i) {
+    ways.note_failure(strip);
+    ways.note_failure(strip_that_crosses);
+  }
+  ways.give_up_what_is_in_vain();
+  EXPECT_FALSE(ways.is_given_up(strip));
+  EXPECT_TRUE(ways.is_given_up(strip_that_crosses));
+}
+
+// Most ways are given up there before they were tried for all handles.
+TEST(Handles_of_a_surface_that_crosses_itself_all_over, AreEachRefusedForAReason) {
+  const Handles handles("random", 12000, 120);
+  Handles one = handles, many = handles;
+  one.remove(Removal_effort::MORE_LOOPS);
+  remove_handles(impl::Execution::parallel(), many.mesh, many.tasks, Removal_effort::MORE_LOOPS,
+                 false, [](double) {});
+  std::ptrdiff_t left = 0;
+  for(std::size_t i = 0; i < one.tasks.size(); ++i) {
+    EXPECT_EQ(one.tasks[i].state, many.tasks[i].state);
+    EXPECT_EQ(one.tasks[i].reasons, many.tasks[i].reasons);
+    if(one.tasks[i].state == State::REMOVED)
+      continue;
+    ++left;
+    ASSERT_EQ(one.tasks[i].state, State::REFUSED);
+    for(const std::string& why : one.tasks[i].reasons)
+      EXPECT_TRUE(!why.empty() && why != "no loop") << why;
+  }
+  EXPECT_GT(left, 100);
+  EXPECT_EQ(one.euler_characteristic(), 2 - 2 * left);
 }
 
 } // namespace test_removal_rounds

@@ -213,7 +213,8 @@ private:
     std::vector<Removal_task> tasks, necks;
   };
 
-  // Handles, and then necks.
+  // Handles, and then necks. If some handles are left, all is done once more: those come first
+  // where others were removed nearby.
   template <typename VertexIndexMap, typename FaceIndexMap>
   Attempt attempt_at_all(const std::vector<Removal_task>& tasks,
                          VertexIndexMap vertex_index,
@@ -222,8 +223,9 @@ private:
     Attempt attempt = attempt_at(
         tasks, options_.only_channels ? Removal_effort::GIVEN_LOOPS : Removal_effort::ALL_LOOPS,
         vertex_index, face_index);
-    if(!options_.only_channels && may_do_better(tasks, attempt.tasks, vertex_index, face_index)) {
-      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::ALL_LOOPS,
+    if(!options_.only_channels && number_left(attempt.tasks) > 0 &&
+       !are_too_many_left(attempt.tasks)) {
+      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::MORE_LOOPS,
                                  vertex_index, face_index);
       if(number_left(other.tasks) < number_left(attempt.tasks))
         attempt = std::move(other);
@@ -264,23 +266,6 @@ private:
     remove_handles(execution, attempt.mesh, attempt.tasks, effort, options_.force,
                    [this](double done) { ask(0.7 + 0.2 * done); });
     return attempt;
-  }
-
-  // Whether any handle that could not be removed, where other handles were, can be if it comes
-  // first: those are tried alone.
-  template <typename VertexIndexMap, typename FaceIndexMap>
-  bool may_do_better(std::vector<Removal_task> tasks,
-                     const std::vector<Removal_task>& done,
-                     VertexIndexMap vertex_index,
-                     FaceIndexMap face_index) {
-    const std::set<std::size_t> hindered = pairs_of(done, is_hindered);
-    if(hindered.empty())
-      return false;
-    for(Removal_task& task : tasks)
-      if(hindered.count(task.pair) == 0)
-        task.state = Removal_task::State::KEPT;
-    tasks = attempt_at(std::move(tasks), Removal_effort::ANY, vertex_index, face_index).tasks;
-    return number_with(Removal_task::State::REMOVED, tasks) > 0;
   }
 
   static bool is_hindered(const Removal_task& task) {

@@ -46,6 +46,17 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// How many loops are looked for near others, and how long they may be.
+struct Nearby_search
+{
+  std::size_t most_loops = 8; ///< of one handle, but for those that come with them
+  std::size_t enough = 4;     ///< at a time
+  std::size_t most_roots = 4; ///< on each loop that is lost
+  double most_growth = 1.5;   ///< of its length
+
+  static constexpr Nearby_search wide() { return {32, 8, 8, 2.}; }
+};
+
 /*!
 Finds loops for handles that have lost theirs: near these, not much longer, and such that they do
 not separate the surface. That is what a handle can be removed along, even if nothing is known of
@@ -54,8 +65,9 @@ its partner, nor whether it is cut or filled.
 class Loops_nearby
 {
 public:
-  explicit Loops_nearby(const Surgery_mesh& mesh)
+  Loops_nearby(const Surgery_mesh& mesh, const Nearby_search& wanted)
       : mesh_(mesh)
+      , wanted_(wanted)
       , searches_([&mesh] { return std::make_unique<Search>(mesh); }) {}
 
   /// copies of the tasks, of which those are open that were not done and have such loops now, apart
@@ -66,7 +78,7 @@ public:
     lost_.resize(tasks.size());
     std::vector<std::size_t> lost;
     for(std::size_t i = 0; i < tasks.size(); ++i)
-      if(is_lost(tasks[i]) && lost_[i].number_found < most_loops) {
+      if(is_lost(tasks[i]) && lost_[i].number_found < wanted_.most_loops) {
         lost_[i].loops = tasks[i].choices;
         lost.push_back(i);
       }
@@ -78,15 +90,13 @@ public:
     for(Removal_task& task : nearby)
       task.state = Removal_task::State::KEPT;
     for(std::size_t i = 0; i < lost.size(); ++i) {
-      lost_[lost[i]].number_found += walks[i].empty() ? most_loops : walks[i].size();
+      lost_[lost[i]].number_found += walks[i].empty() ? wanted_.most_loops : walks[i].size();
       give(walks[i], tasks[lost[i]], nearby[lost[i]]);
     }
     return nearby;
   }
 
 private:
-  static constexpr std::size_t most_loops = 8; // of one handle, but for those that come with them
-
   // What one thread works with.
   struct Search
   {
@@ -101,7 +111,7 @@ private:
   struct Lost
   {
     std::vector<Loop_choice> loops; // empty if it never was
-    std::size_t number_found = 0;   // of new ones; most_loops if nothing more is found
+    std::size_t number_found = 0;   // of new ones; the most if nothing more is found
   };
 
   // If it may be cut or filled, whatever its new loop is.
@@ -163,11 +173,10 @@ private:
   std::vector<Closed_walk> find_longer(Search& search,
                                        const std::vector<Loop_choice>& lost,
                                        const std::vector<Removal_task>& tasks) const {
-    constexpr double most_growth = 1.5;
     std::vector<Closed_walk> walks;
     for(const Loop_choice& loop : lost)
       for(Index root : roots(loop))
-        for(Closed_walk& walk : walks_around(search, root, most_growth * loop.length))
+        for(Closed_walk& walk : walks_around(search, root, wanted_.most_growth * loop.length))
           walks.push_back(std::move(walk));
     std::stable_sort(walks.begin(), walks.end(),
                      [this](const Closed_walk& a, const Closed_walk& b) {
@@ -201,9 +210,8 @@ private:
                                   std::vector<Closed_walk> walks,
                                   const std::vector<Loop_choice>& lost,
                                   const std::vector<Removal_task>& tasks) const {
-    constexpr std::size_t enough = 4;
     std::vector<Closed_walk> found;
-    for(std::size_t i = 0; i < walks.size() && found.size() < enough; ++i)
+    for(std::size_t i = 0; i < walks.size() && found.size() < wanted_.enough; ++i)
       if(walks[i].size() >= 3 && is_simple(walks[i]) && is_new(walks[i]) &&
          is_nearer_than_kept(walks[i], lost, tasks) && !separates(search, walks[i]))
         found.push_back(std::move(walks[i]));
@@ -218,7 +226,7 @@ private:
 
   // Some vertices of the surface where a loop was.
   std::vector<Index> roots(const Loop_choice& loop) const {
-    constexpr std::size_t most = 4;
+    const std::size_t most = wanted_.most_roots;
     std::vector<Index> left;
     for(const Place_on_edge& place : loop.places)
       if(mesh_.outgoing(place.source) != no_index)
@@ -261,6 +269,7 @@ private:
   }
 
   const Surgery_mesh& mesh_;
+  const Nearby_search wanted_;
   Workspace_pool<Search> searches_;
   std::vector<Lost> lost_;     // by task
   std::vector<char> is_taken_; // by vertex, by loops that were found

@@ -23,6 +23,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rings_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Ways_tried.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/region_choices.h>
 
@@ -42,8 +43,10 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Removal_candidate
 {
 public:
-  explicit Removal_candidate(Removal_task& task)
+  /// what comes of its choices is noted with the \p ways, and what these have given up is left out.
+  Removal_candidate(Removal_task& task, Ways_tried& ways)
       : task_(&task)
+      , ways_(&ways)
       , is_damaged_(task.choices.size(), 0)
       , separates_(task.choices.size(), 0)
       , obstacles_(task.choices.size(), Obstacle{Obstacle::NO_LOOP, "no loop"}) {}
@@ -171,10 +174,12 @@ public:
     is_narrow_ = false;
     drop_surgery();
     Rings_around rings = rings_around(layout);
-    while(!is_done()) {
-      if(!is_out_of_question(choice()) && (surgery_ = find_surgery(choice(), mesh, layout, rings)))
-        break;
-      fail(why_no_surgery(mesh));
+    while(!is_done() && !surgery_) {
+      if(ways_->is_given_up(choice()))
+        go_on();
+      else if(is_out_of_question(choice()) ||
+              !(surgery_ = find_surgery(choice(), mesh, layout, rings)))
+        fail(why_no_surgery(mesh));
     }
     if(!is_done() && is_strip_along_either_loop())
       rival_ = find_surgery(choices_[next_ + 1], mesh, layout, rings);
@@ -193,6 +198,7 @@ public:
   void fail(const Obstacle& obstacle) {
     CGAL_precondition(!is_done());
     obstacles_[choice().loop].take(obstacle);
+    ways_->note_failure(choice());
     note_reach();
     // Whether a loop separates the surface is decided anywhere.
     task_->is_far_reaching |= obstacle.kind == Obstacle::TOPOLOGY;
@@ -203,13 +209,7 @@ public:
     if(surgery_ && !surgery_->has_caps())
       note_failure(*surgery_);
     drop_surgery();
-    if(++next_ < choices_.size())
-      return;
-    task_->reasons.clear();
-    for(const Obstacle& worst : obstacles_)
-      task_->reasons.push_back(worst.why);
-    task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
-    task_->is_far_reaching |= is_any_damaged();
+    go_on();
   }
 
   /// gives the loop of the present choice up: all strips along it separate the surface.
@@ -234,6 +234,17 @@ public:
   }
 
 private:
+  // To the next choice, if there is one.
+  void go_on() {
+    if(++next_ < choices_.size())
+      return;
+    task_->reasons.clear();
+    for(const Obstacle& worst : obstacles_)
+      task_->reasons.push_back(worst.why);
+    task_->state = is_any_damaged() ? Removal_task::State::DAMAGED : Removal_task::State::REFUSED;
+    task_->is_far_reaching |= is_any_damaged();
+  }
+
   void drop_surgery() {
     surgery_.reset();
     rival_.reset();
@@ -357,6 +368,7 @@ private:
   static constexpr const char* separates_the_surface = "the loop separates the surface";
 
   Removal_task* task_;
+  Ways_tried* ways_;
   std::vector<Closed_walk> walks_;
   std::vector<double> lengths_; // of these at first
   std::vector<Region_choice> choices_;

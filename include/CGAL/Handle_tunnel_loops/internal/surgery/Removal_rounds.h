@@ -25,15 +25,22 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /// How far it is tried to remove handles.
 enum class Removal_effort {
-  ANY,         ///< until some are, along the loops that they have
   GIVEN_LOOPS, ///< along the loops that they have
-  ALL_LOOPS    ///< as far as can be, at last along loops that are found on the surface as it is by
-               ///< then
+  ALL_LOOPS, ///< also along others nearby, and such that are found on the surface as it is by then
+  MORE_LOOPS ///< of those nearby, also longer ones, and more of them
 };
 
+/// whether so many handles are left that it is not for the want of other loops, or because of those
+/// that were removed: as on a surface that crosses itself all over.
+inline bool are_too_many_left(const std::vector<Removal_task>& tasks) {
+  constexpr std::size_t most = 64, most_for_one = 8; // that was removed
+  return number_left(tasks) >
+         most + most_for_one * number_with(Removal_task::State::REMOVED, tasks);
+}
+
 /// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
-/// none is open at the end, unless it is enough to remove any. With \p force, also where that is no
-/// repair. \p ask is told what part is done, and throws to stop.
+/// none is open at the end. With \p force, also where that is no repair. \p ask is told what part
+/// is done, and throws to stop.
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,

@@ -27,6 +27,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Ways_tried.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
 #include <CGAL/assertions.h>
@@ -69,9 +70,7 @@ public:
       , mode_(mode) {}
 
   /// \p ask is called again and again, and throws to stop.
-  void operator()(std::vector<Removal_task>& tasks,
-                  const std::function<void()>& ask,
-                  bool is_any_enough = false) {
+  void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
     start(tasks);
     for(;; ask()) {
       const std::size_t now = changes_.size();
@@ -89,8 +88,6 @@ public:
       for(Removal_candidate* candidate : chosen)
         carry_out(*candidate);
       note_time(now);
-      if(is_any_enough && !put_in_.empty())
-        return;
     }
   }
 
@@ -115,7 +112,7 @@ private:
         task.time = Removal_task::none;
       else if(!task.has_failed() || !task.is_settled)
         continue; // but those that are settled may be removed with others
-      candidates_.emplace_back(task);
+      candidates_.emplace_back(task, ways_);
     }
     for_each_index(
         execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
@@ -148,6 +145,8 @@ private:
 
   Candidates choose() {
     Region_layout layout(mesh_, pieces_);
+    if(mode_ == Mode::TOGETHER)
+      ways_.give_up_what_is_in_vain();
     is_any_first_ = std::any_of(candidates_.begin(), candidates_.end(),
                                 [](const auto& c) { return !c.is_done() && c.task().comes_first; });
     for(Removal_candidate& candidate : candidates_)
@@ -321,7 +320,7 @@ private:
     candidate.surgery().reset();
   }
 
-  void describe(Removal_candidate& candidate) const {
+  void describe(Removal_candidate& candidate) {
     Removal_task& task = candidate.task();
     const Handle_surgery& surgery = *candidate.surgery();
     const double number = static_cast<double>(1 + surgery.companions.size());
@@ -337,6 +336,7 @@ private:
       task.choices[task.choice].type =
           task.change.volume_added > 0. ? Loop_type::TUNNEL : Loop_type::HANDLE;
     task.state = Removal_task::State::REMOVED;
+    ways_.note_success(candidate.choice());
   }
 
   // Those that come to a vertex of what was taken out, or came to it before they were led
@@ -360,6 +360,7 @@ private:
   Shape_judge judge_;
   const Concave_pieces pieces_;
   const Mode mode_;
+  Ways_tried ways_;
   Separation separates_;
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
@@ -376,8 +377,10 @@ inline void remove_along_loops_nearby(Execution execution,
                                       Removal_rounds& remove,
                                       const Surgery_mesh& mesh,
                                       std::vector<Removal_task>& tasks,
+                                      Removal_effort effort,
                                       const std::function<void()>& ask) {
-  Loops_nearby find_nearby(mesh);
+  Loops_nearby find_nearby(mesh, effort == Removal_effort::MORE_LOOPS ? Nearby_search::wide()
+                                                                      : Nearby_search());
   for(;;) {
     std::vector<Removal_task> nearby = find_nearby(execution, tasks);
     if(number_with(Removal_task::State::OPEN, nearby) == 0)
@@ -426,12 +429,10 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
   Removal_rounds remove(execution, mesh, force);
   for(;;) {
     const std::size_t before = number_with(State::REMOVED, tasks);
-    remove(tasks, ask_now, effort == Removal_effort::ANY);
-    if(effort == Removal_effort::ANY)
-      return;
-    if(effort == Removal_effort::GIVEN_LOOPS)
+    remove(tasks, ask_now);
+    if(effort == Removal_effort::GIVEN_LOOPS || are_too_many_left(tasks))
       break;
-    remove_along_loops_nearby(execution, remove, mesh, tasks, ask_now);
+    remove_along_loops_nearby(execution, remove, mesh, tasks, effort, ask_now);
     if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
       break;
     settle(remove, tasks);
