@@ -223,8 +223,7 @@ private:
     Attempt attempt = attempt_at(
         tasks, options_.only_channels ? Removal_effort::GIVEN_LOOPS : Removal_effort::ALL_LOOPS,
         vertex_index, face_index);
-    if(!options_.only_channels && number_left(attempt.tasks) > 0 &&
-       !are_too_many_left(attempt.tasks)) {
+    if(!options_.only_channels && may_do_better(attempt.tasks)) {
       Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::MORE_LOOPS,
                                  vertex_index, face_index);
       if(number_left(other.tasks) < number_left(attempt.tasks))
@@ -266,6 +265,14 @@ private:
     remove_handles(execution, attempt.mesh, attempt.tasks, effort, options_.force,
                    [this](double done) { ask(0.7 + 0.2 * done); });
     return attempt;
+  }
+
+  // Whether some handles may be left because of others that were removed: not if they are too many
+  // for that.
+  static bool may_do_better(const std::vector<Removal_task>& done) {
+    constexpr std::size_t most_hindered = 2; // by one that was removed
+    const std::size_t left = number_left(done);
+    return left > 0 && left <= most_hindered * number_with(Removal_task::State::REMOVED, done);
   }
 
   static bool is_hindered(const Removal_task& task) {

@@ -30,8 +30,8 @@ enum class Removal_effort {
   MORE_LOOPS ///< of those nearby, also longer ones, and more of them
 };
 
-/// whether so many handles are left that it is not for the want of other loops, or because of those
-/// that were removed: as on a surface that crosses itself all over.
+/// whether so many handles are left that it is not for the want of other loops: as on a surface
+/// that crosses itself all over.
 inline bool are_too_many_left(const std::vector<Removal_task>& tasks) {
   constexpr std::size_t most = 64, most_for_one = 8; // that was removed
   return number_left(tasks) >
