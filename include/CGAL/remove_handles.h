@@ -70,8 +70,10 @@ intersection that was not there before*: exact predicates test the caps against 
 and against each other. Coordinates are taken as doubles for these tests (coordinates of an exact
 kernel are rounded). If no way of removal fits, the handle is *refused*: the report gives the
 reason, and the handle stays as it was. Refused handles are tried again, both after and before the
-removal of others. No larger handle is removed in place of a refused one. Vertices and faces outside
-the replaced parts keep their descriptors and their values in property maps.
+removal of others. Ways of removal that nearly always fail on a surface, because it crosses itself
+everywhere, are not tried for all handles. No larger handle is removed in place of a refused one.
+Vertices and faces outside the replaced parts keep their descriptors and their values in property
+maps.
 
 Handles are removed in order of their sizes. The size of a handle is the length of the loop that is
 tried first. The parameters select the handles: a handle is removed if it satisfies all conditions,
