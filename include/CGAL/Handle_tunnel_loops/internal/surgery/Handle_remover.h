@@ -213,8 +213,8 @@ private:
     std::vector<Removal_task> tasks, necks;
   };
 
-  // Handles, and then necks. If some handles are left, all is done once more: those come first
-  // where others were removed nearby.
+  // Handles, and then necks. If some handles are left where others were removed, all is done once
+  // more, and they come first.
   template <typename VertexIndexMap, typename FaceIndexMap>
   Attempt attempt_at_all(const std::vector<Removal_task>& tasks,
                          VertexIndexMap vertex_index,
@@ -271,8 +271,8 @@ private:
   // for that.
   static bool may_do_better(const std::vector<Removal_task>& done) {
     constexpr std::size_t most_hindered = 2; // by one that was removed
-    const std::size_t left = number_left(done);
-    return left > 0 && left <= most_hindered * number_with(Removal_task::State::REMOVED, done);
+    return std::any_of(done.begin(), done.end(), is_hindered) &&
+           number_left(done) <= most_hindered * number_with(Removal_task::State::REMOVED, done);
   }
 
   static bool is_hindered(const Removal_task& task) {
