@@ -241,9 +241,10 @@ private:
   static bool keep_others(std::vector<Removal_task>& tasks, const Attempt& attempt) {
     Parted_walls walls(execution, attempt.mesh, attempt.first_put_in,
                        {&attempt.tasks, &attempt.necks});
-    const std::set<std::size_t> others = pairs_of(attempt.tasks, [&](const Removal_task& task) {
-      return task.state == Removal_task::State::REMOVED && !walls.was_channel(task);
-    });
+    std::set<std::size_t> others;
+    for(const Removal_task& task : attempt.tasks)
+      if(task.state == Removal_task::State::REMOVED && !walls.was_channel(task))
+        others.insert(task.pair);
     for(Removal_task& task : tasks)
       if(others.count(task.pair) > 0)
         task.state = Removal_task::State::KEPT;
@@ -277,16 +278,6 @@ private:
 
   static bool is_hindered(const Removal_task& task) {
     return task.has_failed() && task.is_hindered;
-  }
-
-  template <typename Predicate>
-  static std::set<std::size_t> pairs_of(const std::vector<Removal_task>& tasks,
-                                        const Predicate& is_one) {
-    std::set<std::size_t> pairs;
-    for(const Removal_task& task : tasks)
-      if(is_one(task))
-        pairs.insert(task.pair);
-    return pairs;
   }
 
   // The others as it was done before.
