@@ -104,7 +104,7 @@ public:
     if(intended.may_cross)
       former_ = std::make_unique<Former_contacts>(mesh, contacts, out_);
     // Which is known sooner than what caps meet.
-    if(!(former_ && curve_ && former_->are_likely_too_many() && former_->are_too_many()))
+    if(!(former_ && curve_ && former_->are_likely_too_many()))
       make_caps(mesh, contacts, judge, intended);
     if(has_caps_)
       in_vain_.reset();

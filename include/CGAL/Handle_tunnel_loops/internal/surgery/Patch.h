@@ -337,33 +337,19 @@ public:
   /// then nothing counts as crossed. Near linear in the number of faces.
   bool are_too_many() {
     own();
-    if(!are_others_counted_ && !are_too_many_) {
-      std::vector<Index> met; // once for each of the faces that it meets
-      are_too_many_ = contacts_.meets(
-          placed_, faces_,
-          [&](Index face) {
-            met.push_back(face);
-            return met.size() <= most();
-          },
-          Pair_budget::unlimited());
-      if(are_too_many_)
-        met_ = std::move(met);
-    }
+    if(!are_others_counted_ && !are_too_many_)
+      are_met_more_often(faces_, most());
     are_others_counted_ = true;
     return are_too_many_;
   }
 
-  /// whether that is to be expected, by a few of the faces, which takes far less where it is not.
-  bool are_likely_too_many() const {
+  /// the same by a few of the faces: if they say so, it is taken for granted from then on.
+  bool are_likely_too_many() {
     constexpr std::size_t few = 3;
     std::vector<Index> some;
     for(std::size_t i = 0; i < faces_.size(); i += faces_.size() / few + 1)
       some.push_back(faces_[i]);
-    const std::size_t enough = most() * some.size() / faces_.size();
-    std::size_t number = 0;
-    return contacts_.meets(
-        Placed_patch(mesh_, patch_of(mesh_, some)), faces_,
-        [&](Index) { return ++number <= enough; }, Pair_budget::unlimited());
+    return are_met_more_often(some, most() * some.size() / faces_.size());
   }
 
   /// whether that is so and has been found. If it has not, all other answers are right.
@@ -378,6 +364,21 @@ public:
 
 private:
   std::size_t most() const { return 1024 + 8 * faces_.size(); }
+
+  // Whether some of the faces meet more than so many others, and then there are too many.
+  bool are_met_more_often(const std::vector<Index>& some, std::size_t number) {
+    std::vector<Index> met; // once for each of the faces that it meets
+    are_too_many_ = contacts_.meets(
+        Placed_patch(mesh_, patch_of(mesh_, some)), faces_,
+        [&](Index face) {
+          met.push_back(face);
+          return met.size() <= number;
+        },
+        Pair_budget::unlimited());
+    if(are_too_many_)
+      met_ = std::move(met);
+    return are_too_many_;
+  }
 
   // By boxes, which pays once there are several questions.
   bool meets(const Placed_triangle& face) {
