@@ -272,9 +272,11 @@ private:
           border_halfedges(mesh, [&](Index f) { return faces.contains(f); });
       const auto borders = curves(mesh, border);
       const std::vector<Index> more =
-          borders.size() > 1 ? islands(mesh, borders, faces) : std::vector<Index>();
+          borders.size() > 1 ? islands(mesh, borders, faces, most) : std::vector<Index>();
       if(more.empty())
         return border;
+      if(faces.size() + more.size() > most)
+        break;
       for(Index f : more)
         faces.add(f);
     }
@@ -282,14 +284,17 @@ private:
   }
 
   // The faces of pieces beyond some borders that have fewer faces than the region. What is beyond
-  // one border is in one piece, as no border touches itself.
+  // one border is in one piece, as no border touches itself. Ends where they are too many with it.
   static std::vector<Index> islands(const Surgery_mesh& mesh,
                                     const std::vector<std::vector<Index>>& borders,
-                                    const Growing_faces& region) {
+                                    const Growing_faces& region,
+                                    std::size_t most) {
     enum Mark : char { NONE, SMALL, LARGE };
     std::vector<char>& marks = region.marks_beyond();
     std::vector<Index> all, seen;
     for(const std::vector<Index>& border : borders) {
+      if(region.size() + all.size() > most)
+        break;
       std::vector<Index> piece;
       bool is_small = true;
       const auto visit = [&](Index f) {
