@@ -2,6 +2,7 @@
 // against brute force on the cover on which all loops unroll.
 
 #include "Loops_of_classes.h"
+#include "Walks_of_steps.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_search.h>
@@ -143,7 +144,7 @@ public:
       numbers_.emplace_back();
       for(Index step = mesh_.begin(v); step != mesh_.end(v); ++step) {
         Sparse_numbers sparse;
-        mesh_.for_each_edge(v, step, [&](Index from, Index to) {
+        for_each_edge(mesh_, v, step, [&](Index from, Index to) {
           const Index u = mesh_.corner(from), w = mesh_.corner(to);
           if(u != w)
             index.add_crossings(u, w, sparse);
@@ -343,7 +344,7 @@ public:
       for(Index step = mesh.begin(v); step != mesh.end(v); ++step) {
         Index last = mesh.vertex_of_walks(v);
         double length = 0.;
-        mesh.for_each_edge(v, step, [&](Index from, Index to) {
+        for_each_edge(mesh, v, step, [&](Index from, Index to) {
           ASSERT_EQ(from, last);
           ASSERT_LT(mesh_.ring(from).position(to), mesh_.ring(from).size());
           length += mesh_.edge_length(from, to);

@@ -1,6 +1,7 @@
 // Meshes on the same surface with shorter edges, and what stands on the mesh for their vertices.
 
 #include "Crossing_loops.h"
+#include "Walks_of_steps.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_mesh.h>
 
@@ -278,7 +279,7 @@ TEST(Search_mesh, HandsOnLoopsOfTheSameClass) {
         Sparse_numbers numbers;
         const auto go = [&](Index step) {
           const Index v = walk.back();
-          search_mesh.for_each_edge(v, step, [&](Index from, Index to) {
+          for_each_edge(search_mesh, v, step, [&](Index from, Index to) {
             const Index u = search_mesh.corner(from), w = search_mesh.corner(to);
             if(u != w)
               index.add_crossings(u, w, numbers);
@@ -317,7 +318,7 @@ std::size_t expect_walks_counted(const Search_mesh& mesh, Index number_of_loops)
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     for(Index step = mesh.begin(v); step != mesh.end(v); ++step) {
       std::map<Index, int> numbers;
-      mesh.for_each_edge(v, step, [&](Index from, Index to) {
+      for_each_edge(mesh, v, step, [&](Index from, Index to) {
         mesh.for_each_term(from, to, [&](Index loop, int n) { numbers[loop] += n; });
       });
       for(Index loop = 0; loop < number_of_loops; ++loop)

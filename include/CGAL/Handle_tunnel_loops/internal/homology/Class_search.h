@@ -500,8 +500,7 @@ private:
       labels.push_back(&labels_[labels.back()->parent]);
     std::vector<Index> walk(1, mesh_.vertex_of_walks(labels.back()->vertex));
     for(std::size_t i = labels.size() - 1; i-- > 0;)
-      mesh_.for_each_edge(labels[i + 1]->vertex, labels[i]->step,
-                          [&](Index, Index to) { walk.push_back(to); });
+      mesh_.append_walk(labels[i + 1]->vertex, labels[i]->step, walk);
     return walk;
   }
 

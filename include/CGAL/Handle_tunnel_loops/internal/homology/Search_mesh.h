@@ -176,16 +176,6 @@ public:
   /// the steps from a node.
   const std::vector<Step>& steps(Index node) const { return steps_[node]; }
 
-  /// appends what follows a node on the walk of a step from it, to its head, in the terms of
-  /// `Mesh::for_each_edge()`.
-  void append_walk(const Step& step, std::vector<Index>& walk) const {
-    append_way(step.from, walk);
-    append_edges(step.from, step.step, walk);
-    std::vector<Index> back(1, nodes_[step.head]);
-    append_way(mesh_.head(step.step), back);
-    walk.insert(walk.end(), back.rbegin() + 1, back.rend());
-  }
-
   /// the vertex before another on the way to it from its node, and the step between them; none for
   /// a node.
   std::pair<Index, Index> last_step(Index v) const { return {ways_[v].parent, ways_[v].step}; }
@@ -246,19 +236,6 @@ private:
       steps.push_back(step);
   }
 
-  void append_edges(Index v, Index step, std::vector<Index>& walk) const {
-    mesh_.for_each_edge(v, step, [&](Index, Index to) { walk.push_back(to); });
-  }
-
-  // What follows the node of a vertex on the way to it.
-  void append_way(Index v, std::vector<Index>& walk) const {
-    std::vector<Index> vertices;
-    for(Index u = v; ways_[u].parent != no_index; u = ways_[u].parent)
-      vertices.push_back(u);
-    for(auto u = vertices.rbegin(); u != vertices.rend(); ++u)
-      append_edges(ways_[*u].parent, ways_[*u].step, walk);
-  }
-
   const Mesh& mesh_;
   float spacing_;
   Shortest_paths<Way> ways_; // by vertex
@@ -299,7 +276,6 @@ public:
       add_vertex();
       for(const auto& step : coarsening.steps(node)) {
         add_step(step.head, step.length);
-        coarsening.append_walk(step, walks_);
         links_.push_back({step.from, step.step});
       }
     }
@@ -328,7 +304,7 @@ public:
 
   /// computes the lengths of all edges once: it pays if many searches follow.
   void measure(Execution execution = {}) {
-    if(has_walks())
+    if(has_own_steps())
       return;
     lengths_.resize(mesh_.neighbor.size());
     for_each_index(execution, number_of_vertices(), [this](std::size_t i) {
@@ -341,7 +317,7 @@ public:
   /// counts what the steps cross, for all that asks for it until this is called again.
   void count(const Edge_classes& classes) {
     classes_ = &classes;
-    if(!has_walks())
+    if(!has_own_steps())
       return;
     sums_.assign(own_heads_.size(), {});
     terms_begin_.assign(own_heads_.size() + 1, 0);
@@ -349,20 +325,22 @@ public:
     find_crossed_ways();
     for(Index v = 0; v < number_of_vertices(); ++v)
       for(Index s = begin(v); s != end(v); ++s) {
-        add_terms(v, s);
+        if(const auto [counted, sign] = counted_step(s); counted != s)
+          sums_[s].add(sign, sums_[counted]);
+        else
+          add_terms(v, s);
         terms_begin_[s + 1] = static_cast<Index>(terms_.size());
-        for(const auto& [loop, number] : terms(s))
-          sums_[s].add(number, classes.weight(loop));
       }
     note_steps_across();
   }
 
   /// how often a step from `v` crosses a loop, in net numbers.
   int number(Index v, Index step, Index loop) const {
-    if(has_walks()) {
-      const auto own = terms(step);
+    if(has_own_steps()) {
+      const auto [counted, sign] = counted_step(step);
+      const auto own = terms(counted);
       const auto term = std::lower_bound(own.begin(), own.end(), std::make_pair(loop, INT_MIN));
-      return term != own.end() && term->first == loop ? term->second : 0;
+      return term != own.end() && term->first == loop ? sign * term->second : 0;
     }
     for(const Edge_crossings::Term& t : classes_->terms_at(v, step - begin(v)))
       if(t.loop == loop)
@@ -379,7 +357,7 @@ public:
   /// one direction at least.
   template <typename Function>
   void for_each_step_across(const Crossing_loop& loop, Index number, const Function& f) const {
-    if(!has_walks()) {
+    if(!has_own_steps()) {
       for(const Crossing& c : loop) {
         const bool is_at_left = mesh_.ring(c.left).size() <= mesh_.ring(c.right).size();
         const Index v = is_at_left ? c.left : c.right;
@@ -410,7 +388,7 @@ public:
 
   /// what the steps from `v` cross.
   Sums_of_steps sums_from(Index v) const {
-    return has_walks() ? Sums_of_steps(sums_.data(), 0) : classes_->sums_from(v, begin(v));
+    return has_own_steps() ? Sums_of_steps(sums_.data(), 0) : classes_->sums_from(v, begin(v));
   }
 
   /// what a walk crosses that crosses a loop once.
@@ -419,15 +397,16 @@ public:
   /// the corner of the mesh that stands for a vertex on the edges along which steps lead.
   Index corner(Index v) const { return subdivision_ == nullptr ? v : subdivision_->corners[v]; }
 
-  /// calls `f(from, to)` for the edges along which a step from `v` leads.
-  template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
-    if(!has_walks())
-      return f(v, head(step));
-    Index from = vertex_of_walks(v);
-    for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
-      f(from, walks_[i]);
-      from = walks_[i];
-    }
+  /// appends what follows on the edges along which a step from `v` leads.
+  void append_walk(Index v, Index step, std::vector<Index>& walk) const {
+    if(finer_ == nullptr)
+      return for_each_edge(v, step, [&](Index, Index to) { walk.push_back(to); });
+    const Step_from link = links_[step];
+    append_way(link.vertex, walk);
+    finer_->append_walk(link.vertex, link.step, walk);
+    std::vector<Index> back(1, nodes_[head(step)]);
+    append_way(finer_->head(link.step), back);
+    walk.insert(walk.end(), back.rbegin() + 1, back.rend());
   }
 
   /// the loop on the mesh along a closed walk on these edges without spurs. It crosses the edges of
@@ -503,7 +482,27 @@ private:
     Index vertex, step;
   };
 
-  bool has_walks() const { return !walk_begin_.empty(); }
+  // Or those of the mesh.
+  bool has_own_steps() const { return !own_begin_.empty(); }
+
+  // Of a mesh that is not coarse.
+  template <typename Function> void for_each_edge(Index v, Index step, const Function& f) const {
+    if(!has_own_steps())
+      return f(v, head(step));
+    for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
+      f(v, walks_[i]);
+      v = walks_[i];
+    }
+  }
+
+  // What follows its node on the way to a vertex of the finer mesh.
+  void append_way(Index v, std::vector<Index>& walk) const {
+    std::vector<Step_from> steps;
+    for(; ways_[v].vertex != no_index; v = ways_[v].vertex)
+      steps.push_back(ways_[v]);
+    for(auto s = steps.rbegin(); s != steps.rend(); ++s)
+      finer_->append_walk(s->vertex, s->step, walk);
+  }
 
   Span<const std::pair<Index, int>> terms(Index step) const {
     return {terms_.data() + terms_begin_[step], terms_begin_[step + 1] - terms_begin_[step]};
@@ -549,8 +548,15 @@ private:
     }
   }
 
-  // Of a step of the base, along its walk, or those of the way back; of a coarser mesh, by the ways
-  // to its link from both ends.
+  // The step by whose terms a step is known, and the sign that they have for it: of an edge of a
+  // triangulation there are those of one way along it.
+  std::pair<Index, int> counted_step(Index step) const {
+    const Index back = ways_back_.empty() ? step : ways_back_[step];
+    return back < step ? std::make_pair(back, -1) : std::make_pair(step, 1);
+  }
+
+  // Of a step of the base, along its walk; of a coarser mesh, by the ways to its link from both
+  // ends.
   void add_terms(Index v, Index step) {
     if(finer_ != nullptr) {
       const Step_from link = links_[step];
@@ -558,16 +564,14 @@ private:
       finer_->for_each_loop_across(link,
                                    [&](Index loop, int number) { crossed_.add(loop, number); });
       add_terms_of_way(finer_->head(link.step), -1);
-    } else if(const Index back = ways_back_[step]; back < step) {
-      for(Index i = terms_begin_[back]; i != terms_begin_[back + 1]; ++i) {
-        const auto [loop, number] = terms_[i];
-        terms_.emplace_back(loop, -number);
-      }
     } else
       for_each_edge(v, step, [&](Index from, Index to) {
         for_each_term(from, to, [&](Index loop, int number) { crossed_.add(loop, number); });
       });
-    crossed_.take([&](Index loop, int number) { terms_.emplace_back(loop, number); });
+    crossed_.take([&](Index loop, int number) {
+      terms_.emplace_back(loop, number);
+      sums_[step].add(number, classes_->weight(loop));
+    });
   }
 
   void add_terms_of_way(Index v, int sign) {
@@ -578,10 +582,11 @@ private:
 
   // Calls `f(loop, number)`.
   template <typename Function> void for_each_loop_across(Step_from s, const Function& f) const {
-    if(!has_walks())
+    if(!has_own_steps())
       return for_each_term(s.vertex, head(s.step), f);
-    for(const auto& [loop, number] : terms(s.step))
-      f(loop, number);
+    const auto [counted, sign] = counted_step(s.step);
+    for(const auto& [loop, number] : terms(counted))
+      f(loop, sign * number);
   }
 
   void note_steps_across() {
@@ -596,16 +601,14 @@ private:
           steps_across_[--across_begin_[term.first]] = {v, s};
   }
 
-  // ---- steps with walks
+  // ---- steps
 
   // The steps that are added next are from the next vertex.
   void add_vertex() { own_begin_.push_back(static_cast<Index>(own_heads_.size())); }
 
-  // Its walk is to be appended.
   void add_step(Index head, float length) {
     own_heads_.push_back(head);
     lengths_.push_back(length);
-    walk_begin_.push_back(static_cast<Index>(walks_.size()));
   }
 
   void add_edges(const Intrinsic_triangulation& triangulation) {
@@ -628,14 +631,15 @@ private:
       for(add_vertex(); i < end[v]; ++i) {
         add_step(triangulation.target(by_source[i]),
                  static_cast<float>(triangulation.length(by_source[i])));
+        walk_begin_.push_back(static_cast<Index>(walks_.size()));
         triangulation.append_walk(by_source[i], walks_);
       }
+    walk_begin_.push_back(static_cast<Index>(walks_.size()));
   }
 
   void take_steps() {
     number_of_vertices_ = own_begin_.size();
     add_vertex();
-    walk_begin_.push_back(static_cast<Index>(walks_.size()));
     begin_ = own_begin_.data();
     heads_ = own_heads_.data();
   }
@@ -653,14 +657,14 @@ private:
   std::size_t number_of_vertices_ = 0;
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
-  std::vector<Index> walk_begin_, walks_; // by step, and what the walks lead to
-  std::vector<Index> ways_back_;          // by step of a triangulation, the same edge
+  // By step of a triangulation: what its walk leads to, and the step along the same edge.
+  std::vector<Index> walk_begin_, walks_, ways_back_;
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
   const Edge_classes* classes_ = nullptr; // that were last counted
-  // Only if steps have walks: by step, what it crosses, and how often.
+  // Only of its own steps: by step, what it crosses, and how often.
   std::vector<Class_sums> sums_;
   std::vector<Index> terms_begin_;
-  std::vector<std::pair<Index, int>> terms_; // loops and numbers, by loop
+  std::vector<std::pair<Index, int>> terms_; // loops and numbers, by loop; of counted steps
   std::vector<Index> across_begin_;          // by loop
   std::vector<Step_from> steps_across_;
   Sparse_sum<int> crossed_;         // by a step, by loop
