@@ -229,10 +229,15 @@ private:
     const double before = total_length();
     std::fill(is_open_.begin(), is_open_.end(), 0);
     sweep_sums();
-    if(total_length() < hardly_shorter * before) {
+    if(total_length() < hardly_shorter * before && is_enough(part_after_sums * visits())) {
       repeat(part_after_sums * visits());
       sweep_sums();
     }
+  }
+
+  // For the open loops; with less, none is looked for to its end.
+  bool is_enough(double visits) const {
+    return visits > least_visits * double(std::count(is_open_.begin(), is_open_.end(), 1));
   }
 
   // As long as it pays.

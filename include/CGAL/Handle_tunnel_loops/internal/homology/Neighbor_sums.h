@@ -86,7 +86,8 @@ public:
 private:
   // What a sum gains at least: less may be lost again as soon as either loop changes.
   static constexpr double part_of_loop = 0.002, part_of_neighbor = 0.05;
-  static constexpr std::size_t most_neighbors = 32;
+  // Of more than these hardly any gives a shorter one.
+  static constexpr std::size_t most_neighbors = 4;
 
   // A loop with vertices beside loop `i` on one side or the other, and the first of these: at the
   // end of a crossing of each.
