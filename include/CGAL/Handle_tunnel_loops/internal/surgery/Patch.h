@@ -338,7 +338,7 @@ public:
   bool are_too_many() {
     own();
     if(!are_others_counted_ && !are_too_many_)
-      are_met_more_often(faces_, most());
+      are_met_more_often(placed_, most());
     are_others_counted_ = true;
     return are_too_many_;
   }
@@ -349,7 +349,8 @@ public:
     std::vector<Index> some;
     for(std::size_t i = 0; i < faces_.size(); i += faces_.size() / few + 1)
       some.push_back(faces_[i]);
-    return are_met_more_often(some, most() * some.size() / faces_.size());
+    return are_met_more_often(Placed_patch(mesh_, patch_of(mesh_, some)),
+                              most() * some.size() / faces_.size());
   }
 
   /// whether that is so and has been found. If it has not, all other answers are right.
@@ -366,10 +367,10 @@ private:
   std::size_t most() const { return 1024 + 8 * faces_.size(); }
 
   // Whether some of the faces meet more than so many others, and then there are too many.
-  bool are_met_more_often(const std::vector<Index>& some, std::size_t number) {
+  bool are_met_more_often(const Placed_patch& some, std::size_t number) {
     std::vector<Index> met; // once for each of the faces that it meets
     are_too_many_ = contacts_.meets(
-        Placed_patch(mesh_, patch_of(mesh_, some)), faces_,
+        some, faces_,
         [&](Index face) {
           met.push_back(face);
           return met.size() <= number;
