@@ -3,6 +3,7 @@
 #include "Crossing_loops.h"
 #include "Walks_of_steps.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/homology/Class_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_mesh.h>
 
 #include <gtest/gtest.h>
@@ -312,30 +313,56 @@ TEST(Search_mesh, HandsOnLoopsOfTheSameClass) {
   }
 }
 
-// Returns how many steps cross any of so many loops.
-std::size_t expect_walks_counted(const Search_mesh& mesh, Index number_of_loops) {
+// What steps cross is what their walks cross: by step, and by loop. Returns how many cross any.
+std::size_t expect_walks_counted(const Search_mesh& mesh, const std::vector<Crossing_loop>& loops) {
+  std::vector<std::map<std::pair<Index, Index>, int>> wanted(loops.size()); // by vertex and step
   std::size_t crossed = 0;
   for(Index v = 0; v < mesh.number_of_vertices(); ++v)
     for(Index step = mesh.begin(v); step != mesh.end(v); ++step) {
-      std::map<Index, int> numbers;
       for_each_edge(mesh, v, step, [&](Index from, Index to) {
-        mesh.for_each_term(from, to, [&](Index loop, int n) { numbers[loop] += n; });
+        mesh.for_each_term(from, to, [&](Index loop, int n) { wanted[loop][{v, step}] += n; });
       });
-      for(Index loop = 0; loop < number_of_loops; ++loop)
-        EXPECT_EQ(mesh.number(v, step, loop), numbers[loop]);
       crossed += !mesh.sums_from(v)[step].is_zero();
     }
+  Steps_across across(mesh);
+  for(Index loop = 0; loop < loops.size(); ++loop) {
+    across.find(loops[loop], loop);
+    std::set<std::pair<Index, Index>> found;
+    across.for_each([&](const Steps_across::Step& s, int number) {
+      found.insert({s.from, s.name});
+      EXPECT_NE(number, 0);
+    });
+    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+      for(Index step = mesh.begin(v); step != mesh.end(v); ++step) {
+        const auto w = wanted[loop].find({v, step});
+        const int number = w == wanted[loop].end() ? 0 : w->second;
+        EXPECT_EQ(across(v, step), number);
+        EXPECT_EQ(found.count({v, mesh.name(step)}), number != 0);
+      }
+  }
   return crossed;
 }
 
-// What a step crosses is what its walk crosses, also where it is counted backwards, or by steps of
-// a finer mesh.
+// The sums of a step are those of the loops that its walk crosses.
+void expect_sums(const Search_mesh& mesh) {
+  for(Index v = 0; v < mesh.number_of_vertices(); ++v)
+    for(Index step = mesh.begin(v); step != mesh.end(v); ++step) {
+      Class_sums sums;
+      for_each_edge(mesh, v, step, [&](Index from, Index to) {
+        mesh.for_each_term(from, to, [&](Index loop, int n) { sums.add(n, mesh.weight(loop)); });
+      });
+      EXPECT_EQ(mesh.sums_from(v)[step], sums);
+    }
+}
+
+// Also where it is counted backwards, or by steps of a finer mesh.
 TEST(Search_mesh, CountsWhatItsWalksCross) {
   Random random(7);
   for(const Recipe& recipe : recipes()) {
     SCOPED_TRACE(testing::PrintToString(recipe));
     const Flat_mesh mesh = flat_mesh_of(recipe);
-    const Crossing_index index(mesh, random_loops(mesh, random, 8));
+    const std::vector<Crossing_loop> loops = random_loops(mesh, random, 8);
+    const Crossing_index index(mesh, loops);
     const Edge_classes classes(std::make_shared<const Edge_crossings>(Execution(), mesh, index),
                                {1, 0, 1, 0});
     for(const std::size_t more : {0, 500}) {
@@ -345,8 +372,10 @@ TEST(Search_mesh, CountsWhatItsWalksCross) {
       finer.count(classes);
       Search_mesh coarser(finer, 4. * std::sqrt(finer.area() / double(finer.number_of_vertices())));
       coarser.count(classes);
-      EXPECT_GT(expect_walks_counted(finer, 8), 0u);
-      EXPECT_GT(expect_walks_counted(coarser, 8), 0u);
+      for(const Search_mesh* searched : {&finer, &coarser}) {
+        EXPECT_GT(expect_walks_counted(*searched, loops), 0u);
+        expect_sums(*searched);
+      }
     }
   }
 }

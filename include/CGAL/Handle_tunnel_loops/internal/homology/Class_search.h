@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Unimodular_system.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 
 #include <algorithm>
 #include <array>
@@ -175,6 +176,85 @@ private:
   std::unordered_map<std::uint64_t, Class> classes_;
 };
 
+/// How often steps cross a loop, in net numbers. A workspace that can be used again and again.
+class Steps_across
+{
+public:
+  struct Step
+  {
+    Index from, to, name;
+    int number; // if names are heads
+
+    friend bool operator<(const Step& a, const Step& b) {
+      return a.from != b.from ? a.from < b.from : a.name < b.name;
+    }
+  };
+
+  /// The mesh has been counted.
+  explicit Steps_across(const Search_mesh& mesh)
+      : mesh_(mesh)
+      , numbers_(mesh.number_of_names(), 0)
+      , is_beside_(numbers_.empty() ? mesh.number_of_vertices() : 0, 0) {}
+
+  void find(const Crossing_loop& loop, Index number) {
+    clear();
+    mesh_.for_each_step_across(loop, number, [&](Index from, Index to, Index name, int n) {
+      if(numbers_.empty() || numbers_[name] == 0)
+        steps_.push_back({from, to, name, n});
+      if(!numbers_.empty())
+        numbers_[name] += n;
+    });
+    if(numbers_.empty())
+      add_up();
+  }
+
+  /// how often a step from `v` crosses the loop.
+  int operator()(Index v, Index step) const {
+    if(!numbers_.empty())
+      return numbers_[step];
+    if(is_beside_[v] == 0)
+      return 0;
+    const Step wanted = {v, no_index, mesh_.name(step), 0};
+    const auto s = std::lower_bound(steps_.begin(), steps_.end(), wanted);
+    return s != steps_.end() && !(wanted < *s) ? s->number : 0;
+  }
+
+  /// calls `f(step, number)`, perhaps more than once for a step.
+  template <typename Function> void for_each(const Function& f) const {
+    for(const Step& s : steps_)
+      if(const int number = numbers_.empty() ? s.number : numbers_[s.name]; number != 0)
+        f(s, number);
+  }
+
+private:
+  void clear() {
+    for(const Step& s : steps_)
+      if(numbers_.empty())
+        is_beside_[s.from] = 0;
+      else
+        numbers_[s.name] = 0;
+    steps_.clear();
+  }
+
+  void add_up() {
+    std::sort(steps_.begin(), steps_.end());
+    auto last = steps_.begin();
+    for(auto s = steps_.begin(); s != steps_.end();) {
+      Step sum = *s;
+      for(++s; s != steps_.end() && !(sum < *s); ++s)
+        sum.number += s->number;
+      *last++ = sum;
+      is_beside_[sum.from] = 1;
+    }
+    steps_.erase(last, steps_.end());
+  }
+
+  const Search_mesh& mesh_;
+  std::vector<int> numbers_; // by name, if it is that of a step
+  std::vector<Step> steps_;
+  std::vector<char> is_beside_; // by vertex, if names are heads
+};
+
 /*!
 How far it is to a loop, the partner, from either side of it: lower bounds of closed walks that
 cross it.
@@ -191,6 +271,7 @@ public:
   /// The mesh has been counted.
   explicit Partner_distances(const Search_mesh& mesh)
       : mesh_(mesh)
+      , across_(mesh)
       , sides_{Side(mesh), Side(mesh)} {}
 
   /// measures the distances to loop \p number, for walks shorter than `limit`. Takes a visit for
@@ -199,7 +280,8 @@ public:
     number_ = number;
     for(Side& side : sides_)
       side.paths.clear();
-    mesh_.for_each_step_across(partner, number, [&](Index v, Index step) { add_step(v, step); });
+    across_.find(partner, number);
+    across_.for_each([&](const Steps_across::Step& s, int crossings) { add_step(s, crossings); });
     // Halfway from both sides; and on only where both together are short enough.
     const float whole = static_cast<float>(limit), half = 0.5f * whole;
     for(std::size_t i : {0, 1})
@@ -220,7 +302,7 @@ public:
   double around() const { return around_; }
 
   /// by how much a step crosses the partner, if its sums are not zero.
-  int number(Index v, Index step) const { return mesh_.number(v, step, number_); }
+  int number(Index v, Index step) const { return across_(v, step); }
 
   /// the copy in which a walk begins that comes from the partner before copy 0.
   int first_copy(Index v) const { return after(v) <= before(v) ? 0 : -1; }
@@ -265,15 +347,10 @@ private:
       side.paths.reach(v, {distance});
   }
 
-  // The partner is in the middle of each step that crosses it.
-  void add_step(Index v, Index step) {
-    const int crossings = number(v, step);
-    const float length = mesh_.length(v, step);
-    if(crossings == 0 || length == infinity)
-      return;
-    const Index head = mesh_.head(step), before = crossings > 0 ? v : head;
-    reach(sides_[0], before == v ? head : v, 0.5f * length);
-    reach(sides_[1], before, 0.5f * length);
+  // The partner is in the middle of each step that crosses it. There is the step back, too.
+  void add_step(const Steps_across::Step& s, int crossings) {
+    if(const float length = mesh_.length_by_name(s.from, s.to, s.name); length != infinity)
+      reach(sides_[crossings > 0 ? 1 : 0], s.from, 0.5f * length);
   }
 
   template <typename Predicate>
@@ -300,6 +377,7 @@ private:
 
   const Search_mesh& mesh_;
   Index number_ = 0;
+  Steps_across across_;       // the partner
   std::array<Side, 2> sides_; // after and before the partner
   float around_ = 0.f;        // from the partner to itself
 };
@@ -505,12 +583,12 @@ private:
   }
 
   // How often a closed walk crosses the loops.
-  Class_vector numbers(const std::vector<Index>& walk) const {
-    Class_vector numbers;
+  Class_vector numbers(const std::vector<Index>& walk) {
     for(std::size_t i = 0; i < walk.size(); ++i)
       mesh_.for_each_term(walk[i], walk[i + 1 == walk.size() ? 0 : i + 1],
-                          [&](Index loop, int number) { numbers.emplace_back(loop, number); });
-    normalize(numbers);
+                          [&](Index loop, int number) { crossed_.add(loop, number); });
+    Class_vector numbers;
+    crossed_.take([&](Index loop, std::int64_t number) { numbers.emplace_back(loop, number); });
     return numbers;
   }
 
@@ -549,6 +627,7 @@ private:
   double offset_ = 0.; // of the root from the partner
   const Partner_distances* partner_ = nullptr;
   Search_targets* targets_ = nullptr;
+  Sparse_sum<std::int64_t> crossed_; // by a walk, by loop
   std::size_t* visits_ = nullptr;
 };
 

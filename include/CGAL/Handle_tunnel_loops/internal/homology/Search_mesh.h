@@ -101,7 +101,13 @@ public:
     return {edge == no_index ? nullptr : sums_.data() + edge, first_step};
   }
 
-  /// which loops cross the edge from `v` to its neighbor in this position of its ring.
+  /// the sums of the edge from `v` to its neighbor in this position of its ring.
+  Class_sums sums_at(Index v, Index position) const {
+    const Index first = crossings_->first_edge(v);
+    return first == no_index ? Class_sums() : sums_[first + position];
+  }
+
+  /// which loops cross that edge.
   Span<const Edge_crossings::Term> terms_at(Index v, Index position) const {
     const Index first = crossings_->first_edge(v);
     return first == no_index ? Span<const Edge_crossings::Term>()
@@ -300,6 +306,7 @@ public:
     triangulation.make_delaunay();
     add_edges(triangulation);
     take_steps();
+    relate_walks_to_mesh();
   }
 
   /// computes the lengths of all edges once: it pays if many searches follow.
@@ -320,32 +327,10 @@ public:
     if(!has_own_steps())
       return;
     sums_.assign(own_heads_.size(), {});
-    terms_begin_.assign(own_heads_.size() + 1, 0);
-    terms_.clear();
-    find_crossed_ways();
-    for(Index v = 0; v < number_of_vertices(); ++v)
-      for(Index s = begin(v); s != end(v); ++s) {
-        if(const auto [counted, sign] = counted_step(s); counted != s)
-          sums_[s].add(sign, sums_[counted]);
-        else
-          add_terms(v, s);
-        terms_begin_[s + 1] = static_cast<Index>(terms_.size());
-      }
-    note_steps_across();
-  }
-
-  /// how often a step from `v` crosses a loop, in net numbers.
-  int number(Index v, Index step, Index loop) const {
-    if(has_own_steps()) {
-      const auto [counted, sign] = counted_step(step);
-      const auto own = terms(counted);
-      const auto term = std::lower_bound(own.begin(), own.end(), std::make_pair(loop, INT_MIN));
-      return term != own.end() && term->first == loop ? sign * term->second : 0;
-    }
-    for(const Edge_crossings::Term& t : classes_->terms_at(v, step - begin(v)))
-      if(t.loop == loop)
-        return t.number;
-    return 0;
+    if(finer_ == nullptr)
+      add_up_walks();
+    else
+      find_terms();
   }
 
   /// calls `f(loop, number)` for the loops that cross an edge along which a step leads.
@@ -353,21 +338,25 @@ public:
     classes_->for_each_term(corner(from), corner(to), f);
   }
 
-  /// calls `f(vertex, step)` for steps, among which are all that cross a loop in net numbers, in
-  /// one direction at least.
+  /// calls `f(v, u, name, number)` for steps from `v` to `u` across a loop, which has this number
+  /// among those counted, and for the steps back; the numbers of a step, by its name, are to be
+  /// added up.
   template <typename Function>
   void for_each_step_across(const Crossing_loop& loop, Index number, const Function& f) const {
-    if(!has_own_steps()) {
-      for(const Crossing& c : loop) {
-        const bool is_at_left = mesh_.ring(c.left).size() <= mesh_.ring(c.right).size();
-        const Index v = is_at_left ? c.left : c.right;
-        f(v, begin(v) + mesh_.ring(v).position(is_at_left ? c.right : c.left));
+    if(finer_ != nullptr)
+      for(Index i = across_begin_[number]; i != across_begin_[number + 1]; ++i) {
+        const auto [v, step] = steps_across_[i];
+        f(v, head(step), step, number_of_term(step, number));
       }
-      return;
-    }
-    for(Index i = across_begin_[number]; i != across_begin_[number + 1]; ++i)
-      f(steps_across_[i].vertex, steps_across_[i].step);
+    else
+      for(const Crossing& c : loop)
+        for_each_step_across(c, f);
   }
+
+  /// Steps have names of their own from 0 on, if their number is not 0; else they are named after
+  /// their heads.
+  Index name(Index step) const { return has_own_steps() ? step : heads_[step]; }
+  std::size_t number_of_names() const { return own_heads_.size(); }
 
   std::size_t number_of_vertices() const { return number_of_vertices_; }
 
@@ -384,6 +373,11 @@ public:
 
   float length(Index v, Index step) const {
     return lengths_.empty() ? length_of_edge(v, head(step)) : lengths_[step];
+  }
+
+  /// that of the step from `v` to `u` with this name.
+  float length_by_name(Index v, Index u, Index name) const {
+    return has_own_steps() ? lengths_[name] : length_of_edge(v, u);
   }
 
   /// what the steps from `v` cross.
@@ -508,6 +502,29 @@ private:
     return {terms_.data() + terms_begin_[step], terms_begin_[step + 1] - terms_begin_[step]};
   }
 
+  int number_of_term(Index step, Index loop) const {
+    const auto own = terms(step);
+    return std::lower_bound(own.begin(), own.end(), std::make_pair(loop, INT_MIN))->second;
+  }
+
+  // In both directions.
+  template <typename Function>
+  void for_each_step_across(const Crossing& c, const Function& f) const {
+    if(!has_own_steps()) {
+      f(c.left, c.right, c.right, 1);
+      f(c.right, c.left, c.left, -1);
+      return;
+    }
+    const auto [edge, is_from_left] = edge_of_mesh(c.left, c.right);
+    for(Index i = steps_along_begin_[edge]; i != steps_along_begin_[edge + 1]; ++i) {
+      const auto [step, is_back] = steps_along_[i];
+      const Index back = ways_back_[step], v = head(back), u = head(step);
+      const int number = is_back != is_from_left ? 1 : -1;
+      f(v, u, step, number);
+      f(u, v, back, -number);
+    }
+  }
+
   float length_of_edge(Index u, Index v) const {
     return mesh_.is_spoke(u, v) ? std::numeric_limits<float>::infinity()
                                 : static_cast<float>(mesh_.edge_length(u, v));
@@ -548,26 +565,35 @@ private:
     }
   }
 
-  // The step by whose terms a step is known, and the sign that they have for it: of an edge of a
-  // triangulation there are those of one way along it.
-  std::pair<Index, int> counted_step(Index step) const {
-    const Index back = ways_back_.empty() ? step : ways_back_[step];
-    return back < step ? std::make_pair(back, -1) : std::make_pair(step, 1);
+  // What is known of one way along an edge of a triangulation is known of the other.
+  void add_up_walks() {
+    for(Index v = 0; v < number_of_vertices(); ++v)
+      for(Index s = begin(v); s != end(v); ++s)
+        if(const Index back = ways_back_[s]; back < s)
+          sums_[s].add(-1, sums_[back]);
+        else
+          for_each_edge_of_mesh(v, s, [&](Index u, Index position, int sign) {
+            sums_[s].add(sign, classes_->sums_at(u, position));
+          });
   }
 
-  // Of a step of the base, along its walk; of a coarser mesh, by the ways to its link from both
-  // ends.
-  void add_terms(Index v, Index step) {
-    if(finer_ != nullptr) {
-      const Step_from link = links_[step];
-      add_terms_of_way(link.vertex, 1);
-      finer_->for_each_loop_across(link,
-                                   [&](Index loop, int number) { crossed_.add(loop, number); });
-      add_terms_of_way(finer_->head(link.step), -1);
-    } else
-      for_each_edge(v, step, [&](Index from, Index to) {
-        for_each_term(from, to, [&](Index loop, int number) { crossed_.add(loop, number); });
-      });
+  void find_terms() {
+    terms_begin_.assign(own_heads_.size() + 1, 0);
+    terms_.clear();
+    find_crossed_ways();
+    for(Index step = 0; step < own_heads_.size(); ++step) {
+      add_terms(step);
+      terms_begin_[step + 1] = static_cast<Index>(terms_.size());
+    }
+    note_steps_across();
+  }
+
+  // By the ways to the link of a step from both ends.
+  void add_terms(Index step) {
+    const Step_from link = links_[step];
+    add_terms_of_way(link.vertex, 1);
+    finer_->for_each_loop_across(link, [&](Index loop, int number) { crossed_.add(loop, number); });
+    add_terms_of_way(finer_->head(link.step), -1);
     crossed_.take([&](Index loop, int number) {
       terms_.emplace_back(loop, number);
       sums_[step].add(number, classes_->weight(loop));
@@ -580,13 +606,18 @@ private:
           ways_[u], [&](Index loop, int number) { crossed_.add(loop, sign * number); });
   }
 
-  // Calls `f(loop, number)`.
+  // Calls `f(loop, number)`, perhaps more than once for a loop.
   template <typename Function> void for_each_loop_across(Step_from s, const Function& f) const {
     if(!has_own_steps())
-      return for_each_term(s.vertex, head(s.step), f);
-    const auto [counted, sign] = counted_step(s.step);
-    for(const auto& [loop, number] : terms(counted))
-      f(loop, sign * number);
+      for_each_term(s.vertex, head(s.step), f);
+    else if(finer_ == nullptr)
+      for_each_edge_of_mesh(s.vertex, s.step, [&](Index v, Index position, int sign) {
+        for(const Edge_crossings::Term& t : classes_->terms_at(v, position))
+          f(t.loop, sign * t.number);
+      });
+    else
+      for(const auto& [loop, number] : terms(s.step))
+        f(loop, number);
   }
 
   void note_steps_across() {
@@ -637,6 +668,58 @@ private:
     walk_begin_.push_back(static_cast<Index>(walks_.size()));
   }
 
+  // Which edges of the mesh walks lead along, and which walks lead along edges.
+  void relate_walks_to_mesh() {
+    edges_.reserve(walks_.size());
+    for(Index v = 0; v < number_of_vertices(); ++v)
+      for(Index step = begin(v); step != end(v); ++step)
+        for_each_edge(v, step, [&](Index from, Index to) {
+          const Index u = corner(from), w = corner(to);
+          edges_.push_back(u == w ? no_index : edge_of_mesh(u, w).first);
+        });
+    steps_along_begin_.assign(mesh_.neighbor.size() + 1, 0);
+    for_each_step_along_edge([&](Index edge, Index, bool) { ++steps_along_begin_[edge]; });
+    std::partial_sum(steps_along_begin_.begin(), steps_along_begin_.end(),
+                     steps_along_begin_.begin());
+    steps_along_.resize(steps_along_begin_.back());
+    for_each_step_along_edge([&](Index edge, Index step, bool is_back) {
+      steps_along_[--steps_along_begin_[edge]] = {step, is_back};
+    });
+  }
+
+  // An edge of the mesh, by its number in the ring of the end with fewer neighbors, and whether
+  // that is `u`.
+  std::pair<Index, bool> edge_of_mesh(Index u, Index w) const {
+    const Ring at_u = mesh_.ring(u), at_w = mesh_.ring(w);
+    const bool is_at_u = std::make_pair(at_u.size(), u) < std::make_pair(at_w.size(), w);
+    return {is_at_u ? mesh_.row_begin[u] + at_u.position(w) : mesh_.row_begin[w] + at_w.position(u),
+            is_at_u};
+  }
+
+  // Calls `f(v, position, sign)` for edges in the rings of `v`, and 1 if the walk begins there.
+  template <typename Function>
+  void for_each_edge_of_mesh(Index v, Index step, const Function& f) const {
+    for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
+      if(const Index edge = edges_[i]; edge != no_index) {
+        const Index from = corner(v);
+        const bool is_at_from = mesh_.row_begin[from] <= edge && edge < mesh_.row_begin[from + 1];
+        const Index at = is_at_from ? from : corner(walks_[i]);
+        f(at, edge - mesh_.row_begin[at], is_at_from ? 1 : -1);
+      }
+      v = walks_[i];
+    }
+  }
+
+  // Calls `f(edge, step, is_back)`, for one of two ways.
+  template <typename Function> void for_each_step_along_edge(const Function& f) const {
+    for(Index v = 0; v < number_of_vertices(); ++v)
+      for(Index step = begin(v); step != end(v); ++step)
+        if(ways_back_[step] > step)
+          for_each_edge_of_mesh(v, step, [&](Index at, Index position, int sign) {
+            f(mesh_.row_begin[at] + position, step, sign < 0);
+          });
+  }
+
   void take_steps() {
     number_of_vertices_ = own_begin_.size();
     add_vertex();
@@ -657,14 +740,17 @@ private:
   std::size_t number_of_vertices_ = 0;
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
-  // By step of a triangulation: what its walk leads to, and the step along the same edge.
-  std::vector<Index> walk_begin_, walks_, ways_back_;
+  // By step of a triangulation: what its walk leads to, along which edges of the mesh, and the step
+  // back; by edge of the mesh: the steps whose walks lead along it, and whether backwards.
+  std::vector<Index> walk_begin_, walks_, edges_, ways_back_;
+  std::vector<Index> steps_along_begin_;
+  std::vector<std::pair<Index, bool>> steps_along_;
   std::vector<float> lengths_;            // by step, of the mesh as well if measured
   const Edge_classes* classes_ = nullptr; // that were last counted
-  // Only of its own steps: by step, what it crosses, and how often.
-  std::vector<Class_sums> sums_;
+  std::vector<Class_sums> sums_;          // by step, only of its own
+  // Of a coarser mesh: by step, what it crosses, and how often.
   std::vector<Index> terms_begin_;
-  std::vector<std::pair<Index, int>> terms_; // loops and numbers, by loop; of counted steps
+  std::vector<std::pair<Index, int>> terms_; // loops and numbers, by loop
   std::vector<Index> across_begin_;          // by loop
   std::vector<Step_from> steps_across_;
   Sparse_sum<int> crossed_;         // by a step, by loop
