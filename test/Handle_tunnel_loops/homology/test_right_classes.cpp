@@ -230,6 +230,36 @@ TEST(Right_classes, AreFoundFromAnyBasis) {
   }
 }
 
+// What would have to be put together is so long that loops are made shorter in other classes first.
+TEST(Right_classes, AreFoundFromVeryLongLoops) {
+  Random random(6);
+  const Wound_up_surface surface(Recipe{"bars", {4000, 100, 0}});
+  const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations*) {
+    return surface.relate(p);
+  };
+  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 500);
+  Quiet_progress progress;
+  Purification purification(Execution(), surface.flat(), true, progress);
+  purification.choose(wound_up, surface.relate(wound_up));
+  EXPECT_TRUE(purification.is_too_long());
+  std::vector<std::vector<Crossing_loop>> answers;
+  for(const Execution execution : {Execution(), Execution::parallel()}) {
+    std::vector<Flat_pair> pairs = wound_up;
+    const std::optional<Loop_relations> relations =
+        find_right_classes(execution, surface.flat(), {}, relate, pairs, progress);
+    surface.expect_pure(pairs);
+    ASSERT_TRUE(relations);
+    EXPECT_EQ(relations->bounds_alone(true), surface.relate(pairs).bounds_alone(true));
+    answers.push_back(Purification::loops_of(pairs));
+  }
+  double sum = 0.;
+  for(std::size_t i = 0; i < answers[0].size(); ++i) {
+    sum += length(surface.flat(), answers[0][i]);
+    EXPECT_TRUE(are_equal(answers[0][i], answers[1][i]));
+  }
+  EXPECT_LE(sum, 1.1 * surface.length_of_answer());
+}
+
 // Of the shortest basis no sides are asked for.
 TEST(Right_classes, AreABasisWithoutSides) {
   Random random(5);

@@ -69,7 +69,22 @@ public:
   }
 
   /// from now on the loops of pairs need not cross once.
-  void forget_pairs() { are_pairs_kept_ = false; }
+  void forget_pairs() { are_pairs_kept_ = is_rough_done_ = false; }
+
+  /// puts shorter loops of any class in the place of some, but of pairs only that are \p is_wanted.
+  /// The loops of pairs need not cross once after that. Returns whether there are any.
+  bool run_roughly(std::vector<Crossing_loop>& loops, const std::vector<char>& is_wanted) {
+    if(!start(loops, std::vector<char>(loops.size(), 1)))
+      return false;
+    const std::vector<char> is_pure(loops.size() / 2, 0);
+    is_pure_ = &is_pure;
+    const bool were_kept = std::exchange(are_pairs_kept_, false);
+    open([&](Index i) { return is_wanted[i / 2] != 0; });
+    repeat(visits());
+    are_pairs_kept_ = were_kept;
+    is_rough_done_ = std::find(sources_.begin(), sources_.end(), no_index) != sources_.end();
+    return is_rough_done_;
+  }
 
   /// \p loops are handles and tunnels in turn, of which \p is_pure says by pair whether they bound
   /// on their sides, and \p is_new by loop which have not been made short at all. Returns by loop
@@ -77,32 +92,25 @@ public:
   std::vector<Index> run(std::vector<Crossing_loop>& loops,
                          const std::vector<char>& is_pure,
                          const std::vector<char>& is_new) {
-    loops_ = &loops;
     is_pure_ = &is_pure;
-    sources_.resize(loops.size());
-    std::iota(sources_.begin(), sources_.end(), Index(0));
-    if(!progress_.time().is_any_left())
+    if(!start(loops, is_new))
       return std::move(sources_);
-    measure();
-    prepare_search(is_new);
-    patience_.assign(loops.size(), 1.);
-    is_known_.assign(loops.size(), 0);
-    is_fresh_.assign(loops.size(), 1);
-    // Loops that have just been put together have been seen by nothing, the others by a field. On a
-    // small mesh there is enough for all of them at once.
+    is_fresh_ = is_rough_done_ ? is_new : std::vector<char>(loops.size(), 1);
+    // Loops that have just been put together have been seen by nothing, the others by a field, or
+    // by a rough search. On a small mesh there is enough for all of them at once.
     const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
-    if(!is_small()) {
-      is_open_ = is_new;
-      overestimate_ = 1.;
+    if(!is_small() || is_rough_done_) {
+      open([&](Index i) { return is_new[i] != 0; });
       repeat((std::max)(visits(), visits_for_new() * number_of_new / (number_of_new + 8.)),
              part_while_it_pays * visits_for_new());
     }
     if(visits() > least_visits * double(loops.size())) {
-      is_open_.resize(loops.size());
-      for(Index i = 0; i < loops.size(); ++i)
-        is_open_[i] = is_to_be_shortened(i);
-      overestimate_ = 1.;
-      const double left = repeat(visits());
+      double left = visits();
+      if(!is_rough_done_) {
+        open([](Index) { return true; });
+        overestimate_ = 1.;
+        left = repeat(visits());
+      }
       search_long_ones((std::max)(part_for_long_ones * left, least_for_long_ones * visits()));
       take_sums();
     }
@@ -110,6 +118,23 @@ public:
   }
 
 private:
+  // Returns whether there is any time.
+  bool start(std::vector<Crossing_loop>& loops, const std::vector<char>& is_new) {
+    loops_ = &loops;
+    sources_.resize(loops.size());
+    std::iota(sources_.begin(), sources_.end(), Index(0));
+    if(!progress_.time().is_any_left())
+      return false;
+    measure();
+    prepare_search(is_new);
+    patience_.assign(loops.size(), 1.);
+    is_known_.assign(loops.size(), 0);
+    is_open_.assign(loops.size(), 0);
+    is_fresh_.assign(loops.size(), 0);
+    overestimate_ = 1.;
+    return true;
+  }
+
   struct Candidate
   {
     double length;
@@ -192,8 +217,8 @@ private:
   Scale scale(double length, Index partner) {
     Search_ground& ground =
         coarse_ground_ && length >= longest_on_fine_ground_ ? *coarse_ground_ : fine_ground_;
-    return {&ground,
-            ground.levels().level(is_thorough_ ? (std::min)(length, around_tube * lengths_[partner])
+    return {&ground, ground.levels().level(is_thorough_ || is_rough_done_
+                                               ? (std::min)(length, around_tube * lengths_[partner])
                                                : length)};
   }
 
@@ -219,8 +244,12 @@ private:
 
   template <typename Predicate> void open_long_ones(const Predicate& is_wanted) {
     const double enough = much_longer * total_length() / double(lengths_.size());
+    open([&](Index i) { return lengths_[i] > enough && is_wanted(i); });
+  }
+
+  template <typename Predicate> void open(const Predicate& is_wanted) {
     for(Index i = 0; i < lengths_.size(); ++i)
-      is_open_[i] = is_to_be_shortened(i) && lengths_[i] > enough && is_wanted(i);
+      is_open_[i] = is_to_be_shortened(i) && is_wanted(i);
   }
 
   // Sums of loops, a search for those that have taken the place of others, and sums of these.
@@ -267,7 +296,7 @@ private:
         break;
       exchange();
       // It goes on as long as it pays.
-      if(are_all_searched_ && total_length() > hardly_shorter * before)
+      if((are_all_searched_ || is_rough_done_) && total_length() > hardly_shorter * before)
         break;
       if(total_length() < gain_worth_visits * before) {
         const double more = (std::max)(0., (std::min)(spare, share - visits));
@@ -531,7 +560,7 @@ private:
 
   std::vector<Candidate> sums(Index i, Neighbor_sums& sums) {
     std::vector<Candidate> candidates;
-    if(!is_to_be_shortened(i))
+    if(!is_to_be_shortened(i) || (is_rough_done_ && !is_fresh_[i]))
       return candidates;
     for(Crossing_loop& loop : sums.of(i, work_for_sums_[i], [&](Index j) {
           const bool is_same_kind = i % 2 == j % 2 && (*is_pure_)[j / 2];
@@ -661,6 +690,7 @@ private:
   const std::vector<char>* is_pure_ = nullptr;
   bool is_prepared_ = false; // the grounds to search on
   bool are_pairs_kept_ = true;
+  bool is_rough_done_ = false;
   bool is_lean_ = false;          // the search, of long loops
   bool is_thorough_ = false;      // the search, of the round: all tasks, on small cells
   bool are_all_tasks_ = false;    // not only the likely ones, in the round

@@ -61,22 +61,51 @@ public:
   /// changes the pairs. Returns, for each handle and tunnel in turn, the number that the loop had
   /// before, or `no_index` if it is new.
   std::vector<Index> run(std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
+    choose(pairs, relations);
+    return make(pairs);
+  }
+
+  /// chooses the classes of the loops, of which some are there.
+  void choose(const std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
     loops_ = loops_of(pairs);
     classes_ = std::make_unique<Loop_classes>(execution_, mesh_, loops_);
     const Loop_sides sides(*classes_, relations);
+    weights_.clear();
     for(const Crossing_loop& loop : loops_)
       weights_.push_back(double(loop.size()));
     std::map<std::size_t, std::vector<Index>> pairs_of_component;
     is_pure_.assign(pairs.size(), 0);
-    for(Index k = 0; k < pairs.size(); ++k) {
-      is_pure_[k] = sides.is_decided(2 * k);
-      if(is_pure_[k])
+    for(Index k = 0; k < pairs.size(); ++k)
+      if(sides.is_decided(2 * k))
         pairs_of_component[relations.components[2 * k]].push_back(k);
-    }
+    bases_.clear();
+    projected_.clear();
+    for(auto& [component, numbers] : pairs_of_component)
+      choose(std::move(numbers), sides);
+    classes_.reset();
+  }
+
+  /// Whether it is better to make the loops shorter first, in whatever class: more is to be put
+  /// together of them than they are, and too much of it to be looked for anew.
+  bool is_too_long() const {
+    constexpr std::size_t many = 100;
+    std::size_t number = 0;
+    double crossings = 0.;
+    for(const Basis& basis : bases_)
+      for(const std::vector<Member>* members : {&basis.handles, &basis.tunnels}) {
+        number += std::count_if(members->begin(), members->end(),
+                                [](const Member& m) { return m.loop == no_index; });
+        crossings += crossings_of_made(*members);
+      }
+    return number > many && crossings > std::accumulate(weights_.begin(), weights_.end(), 0.);
+  }
+
+  /// puts the loops together that have been chosen; see `run()`.
+  std::vector<Index> make(std::vector<Flat_pair>& pairs) {
     std::vector<Index> sources(loops_.size());
     std::iota(sources.begin(), sources.end(), Index(0));
-    for(const auto& [component, numbers] : pairs_of_component)
-      purify(numbers, sides, pairs, sources);
+    for(const Basis& basis : bases_)
+      make(basis, pairs, sources);
     return sources;
   }
 
@@ -115,18 +144,24 @@ private:
     const Class_vector* coordinates;
   };
 
-  // The pairs of one component.
-  void purify(const std::vector<Index>& numbers,
-              const Loop_sides& sides,
-              std::vector<Flat_pair>& pairs,
-              std::vector<Index>& sources) {
+  // Of the pairs of one component, which have these numbers.
+  struct Basis
+  {
+    std::vector<Index> numbers;
+    std::vector<Member> handles, tunnels;
+  };
+
+  void choose(std::vector<Index> numbers, const Loop_sides& sides) {
     std::optional<std::vector<Member>> handles = basis(numbers, sides, true);
     std::optional<std::vector<Member>> tunnels = basis(numbers, sides, false);
-    if(!handles || !tunnels || !pair_up(*handles, *tunnels)) {
-      for(Index k : numbers)
-        is_pure_[k] = 0;
+    if(!handles || !tunnels || !pair_up(*handles, *tunnels))
       return;
-    }
+    for(Index k : numbers)
+      is_pure_[k] = 1;
+    bases_.push_back({std::move(numbers), *std::move(handles), *std::move(tunnels)});
+  }
+
+  void make(const Basis& basis, std::vector<Flat_pair>& pairs, std::vector<Index>& sources) {
     std::vector<Made_loop> made;
     const auto put = [&](const Member& m, Index number, Crossing_loop& loop) {
       sources[number] = m.loop;
@@ -135,10 +170,10 @@ private:
       else
         loop = loops_[m.loop];
     };
-    for(std::size_t n = 0; n < numbers.size(); ++n) {
-      const Index k = numbers[n];
-      put((*handles)[n], 2 * k, pairs[k].handle);
-      put((*tunnels)[n], 2 * k + 1, pairs[k].tunnel);
+    for(std::size_t n = 0; n < basis.numbers.size(); ++n) {
+      const Index k = basis.numbers[n];
+      put(basis.handles[n], 2 * k, pairs[k].handle);
+      put(basis.tunnels[n], 2 * k + 1, pairs[k].tunnel);
     }
     if(!made.empty())
       make(made);
@@ -306,7 +341,8 @@ private:
   std::vector<double> weights_;          // of them
   std::vector<Crossing_loop> projected_; // on the coarse mesh, once one is to be made there
   bool is_any_loose_ = false;
-  std::unique_ptr<Loop_classes> classes_;
+  std::unique_ptr<Loop_classes> classes_; // while classes are chosen
+  std::vector<Basis> bases_;              // by component, where they are known
   std::vector<char> is_pure_;
 };
 

@@ -34,6 +34,11 @@ inline bool is_any_new(const std::vector<Index>& before) {
   return std::find(before.begin(), before.end(), no_index) != before.end();
 }
 
+inline void put(std::vector<Crossing_loop>& loops, std::vector<Flat_pair>& pairs) {
+  for(std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k] = {std::move(loops[2 * k]), std::move(loops[2 * k + 1])};
+}
+
 // Shortens pairs that `before` names; the loops that are replaced have no name afterwards.
 inline void shorten(Class_shortening& shortening,
                     std::vector<Flat_pair>& pairs,
@@ -44,11 +49,46 @@ inline void shorten(Class_shortening& shortening,
   for(Index b : before)
     is_new.push_back(b == no_index);
   const std::vector<Index> sources = shortening.run(loops, is_pure, is_new);
-  for(std::size_t k = 0; k < pairs.size(); ++k)
-    pairs[k] = {std::move(loops[2 * k]), std::move(loops[2 * k + 1])};
+  put(loops, pairs);
   const std::vector<Index> first = before;
   for(std::size_t i = 0; i < sources.size(); ++i)
     before[i] = sources[i] == no_index ? no_index : first[sources[i]];
+}
+
+// The time that it takes is kept back for relating pairs once more.
+inline Loop_relations
+relate_all(const Relate_pairs& relate, const std::vector<Flat_pair>& pairs, Time_budget& time) {
+  const double began = time.seconds_spent();
+  Loop_relations relations = relate(pairs, nullptr);
+  time.keep_back(time.seconds_spent() - began);
+  return relations;
+}
+
+// Makes loops short before they are purified, if that is better. What is not pure after all is as
+// it was.
+inline std::vector<Index> purify(Class_shortening& shortening,
+                                 Purification& purification,
+                                 const Relate_pairs& relate,
+                                 Time_budget& time,
+                                 std::vector<Flat_pair>& pairs,
+                                 Loop_relations& relations) {
+  purification.choose(pairs, relations);
+  if(!purification.is_too_long())
+    return purification.make(pairs);
+  std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
+  if(!shortening.run_roughly(loops, purification.is_pure()))
+    return purification.make(pairs);
+  const std::vector<Flat_pair> first = pairs;
+  put(loops, pairs);
+  relations = relate_all(relate, pairs, time);
+  purification.choose(pairs, relations);
+  std::vector<Index> before = purification.make(pairs);
+  for(std::size_t k = 0; k < pairs.size(); ++k)
+    if(!purification.is_pure()[k]) {
+      pairs[k] = first[k];
+      before[2 * k] = before[2 * k + 1] = no_index;
+    }
+  return before;
 }
 
 // Where new loops do not bound although their classes should, the surface crosses itself, and the
@@ -106,13 +146,14 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
   std::optional<Class_shortening> shortening;
   shortening.emplace(execution, mesh, coarse, options.search_effort, progress);
   if(options.do_link) {
-    const double began = progress.time().seconds_spent();
-    relations = relate(pairs, nullptr);
-    progress.time().keep_back(progress.time().seconds_spent() - began); // for the second time
+    relations = right_classes::relate_all(relate, pairs, progress.time());
     const std::vector<Flat_pair> first = pairs;
     progress.advance(first_linking);
     Purification purification(execution, mesh, options.do_shorten, progress, coarse);
-    std::vector<Index> before = purification.run(pairs, *relations);
+    std::vector<Index> before = options.do_shorten
+                                    ? right_classes::purify(*shortening, purification, relate,
+                                                            progress.time(), pairs, *relations)
+                                    : purification.run(pairs, *relations);
     is_any_loose = is_any_loose || purification.is_any_loose();
     if(options.do_shorten)
       right_classes::shorten(*shortening, pairs, purification.is_pure(), before);
