@@ -82,6 +82,7 @@ public:
     open([&](Index i) { return is_wanted[i / 2] != 0; });
     repeat(visits());
     are_pairs_kept_ = were_kept;
+    forget_searches();
     is_rough_done_ = std::find(sources_.begin(), sources_.end(), no_index) != sources_.end();
     return is_rough_done_;
   }
@@ -189,6 +190,15 @@ private:
 
   double part_of_vertices(double number) const {
     return (std::min)(1., number / double(mesh_.number_of_vertices()));
+  }
+
+  // Before much memory is taken for something else.
+  void forget_searches() {
+    classes_.reset();
+    candidates_ = {};
+    fine_ground_.forget();
+    if(coarse_ground_)
+      coarse_ground_->forget();
   }
 
   // Loops that have just been put together do not tell how short they will be.

@@ -75,6 +75,12 @@ public:
           k, [this, k] { return std::make_unique<Partner_search>(mesh_, levels_[k]); });
   }
 
+  /// gives away what is made again by `prepare()`.
+  void forget() {
+    searches_.clear();
+    levels_.forget_coarser();
+  }
+
   /// see `Search_levels::vertices_around()`; the loop is of the fine mesh.
   double vertices_around(int level, double length, const Crossing_loop& loop) const {
     return levels_.vertices_around(level, length, coarse_ == nullptr ? double(loop.size()) : 0.);

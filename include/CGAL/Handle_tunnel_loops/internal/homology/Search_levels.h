@@ -94,6 +94,9 @@ public:
         1);
   }
 
+  /// gives away the coarser meshes; they are made again when they are to be used.
+  void forget_coarser() { coarser_.clear(); }
+
 private:
   static constexpr std::size_t even = 5000; // vertices
 
