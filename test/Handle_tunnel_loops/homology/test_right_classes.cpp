@@ -260,6 +260,31 @@ TEST(Right_classes, AreFoundFromVeryLongLoops) {
   EXPECT_LE(sum, 1.1 * surface.length_of_answer());
 }
 
+// Where nothing is known of their sides after that, the first pairs take their places again.
+TEST(Right_classes, AreTakenBackIfTheyAreNotPureInTheEnd) {
+  Random random(6);
+  const Wound_up_surface surface(Recipe{"bars", {4000, 100, 0}});
+  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 500);
+  int calls = 0;
+  const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations*) {
+    Loop_relations relations = surface.relate(p);
+    if(++calls == 2)
+      relations.problems.emplace(0, "a problem");
+    return relations;
+  };
+  std::vector<Flat_pair> pairs = wound_up;
+  Quiet_progress progress;
+  const std::optional<Loop_relations> relations =
+      find_right_classes(Execution(), surface.flat(), {}, relate, pairs, progress);
+  EXPECT_EQ(calls, 3);
+  const std::vector<Crossing_loop> before = Purification::loops_of(wound_up),
+                                   after = Purification::loops_of(pairs);
+  for(std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_TRUE(are_equal(before[i], after[i]));
+  ASSERT_TRUE(relations);
+  EXPECT_EQ(relations->bounds_alone(true), surface.relate(wound_up).bounds_alone(true));
+}
+
 // Of the shortest basis no sides are asked for.
 TEST(Right_classes, AreABasisWithoutSides) {
   Random random(5);
