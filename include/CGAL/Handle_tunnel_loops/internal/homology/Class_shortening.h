@@ -82,6 +82,7 @@ public:
     open([&](Index i) { return is_wanted[i / 2] != 0; });
     repeat(visits());
     are_pairs_kept_ = were_kept;
+    is_pure_ = nullptr;
     forget_searches();
     is_rough_done_ = std::find(sources_.begin(), sources_.end(), no_index) != sources_.end();
     return is_rough_done_;
@@ -96,7 +97,8 @@ public:
     is_pure_ = &is_pure;
     if(!start(loops, is_new))
       return std::move(sources_);
-    is_fresh_ = is_rough_done_ ? is_new : std::vector<char>(loops.size(), 1);
+    if(is_rough_done_)
+      is_fresh_ = is_new;
     // Loops that have just been put together have been seen by nothing, the others by a field, or
     // by a rough search. On a small mesh there is enough for all of them at once.
     const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
@@ -131,7 +133,7 @@ private:
     patience_.assign(loops.size(), 1.);
     is_known_.assign(loops.size(), 0);
     is_open_.assign(loops.size(), 0);
-    is_fresh_.assign(loops.size(), 0);
+    is_fresh_.assign(loops.size(), 1);
     overestimate_ = 1.;
     return true;
   }

@@ -101,13 +101,7 @@ public:
     return {edge == no_index ? nullptr : sums_.data() + edge, first_step};
   }
 
-  /// the sums of the edge from `v` to its neighbor in this position of its ring.
-  Class_sums sums_at(Index v, Index position) const {
-    const Index first = crossings_->first_edge(v);
-    return first == no_index ? Class_sums() : sums_[first + position];
-  }
-
-  /// which loops cross that edge.
+  /// which loops cross the edge from `v` to its neighbor in this position of its ring.
   Span<const Edge_crossings::Term> terms_at(Index v, Index position) const {
     const Index first = crossings_->first_edge(v);
     return first == no_index ? Span<const Edge_crossings::Term>()
@@ -573,7 +567,7 @@ private:
           sums_[s].add(-1, sums_[back]);
         else
           for_each_edge_of_mesh(v, s, [&](Index u, Index position, int sign) {
-            sums_[s].add(sign, classes_->sums_at(u, position));
+            sums_[s].add(sign, classes_->sums_from(u, 0)[position]);
           });
   }
 
@@ -670,13 +664,14 @@ private:
 
   // Which edges of the mesh walks lead along, and which walks lead along edges.
   void relate_walks_to_mesh() {
-    edges_.reserve(walks_.size());
+    edges_.resize(walks_.size());
     for(Index v = 0; v < number_of_vertices(); ++v)
       for(Index step = begin(v); step != end(v); ++step)
-        for_each_edge(v, step, [&](Index from, Index to) {
-          const Index u = corner(from), w = corner(to);
-          edges_.push_back(u == w ? no_index : edge_of_mesh(u, w).first);
-        });
+        if(Index i = walk_begin_[step]; ways_back_[step] > step)
+          for_each_edge(v, step, [&](Index from, Index to) {
+            const Index u = corner(from), w = corner(to);
+            edges_[i++] = u == w ? no_index : edge_of_mesh(u, w).first;
+          });
     steps_along_begin_.assign(mesh_.neighbor.size() + 1, 0);
     for_each_step_along_edge([&](Index edge, Index, bool) { ++steps_along_begin_[edge]; });
     std::partial_sum(steps_along_begin_.begin(), steps_along_begin_.end(),
@@ -696,15 +691,21 @@ private:
             is_at_u};
   }
 
-  // Calls `f(v, position, sign)` for edges in the rings of `v`, and 1 if the walk begins there.
+  // Calls `f(v, position, sign)` for edges in the rings of `v`, and 1 if the walk leads away from
+  // there. Of two ways along an edge of the triangulation, the edges of the first are known.
   template <typename Function>
   void for_each_edge_of_mesh(Index v, Index step, const Function& f) const {
+    const bool is_back = ways_back_[step] < step;
+    if(is_back) {
+      v = head(step);
+      step = ways_back_[step];
+    }
     for(Index i = walk_begin_[step]; i != walk_begin_[step + 1]; ++i) {
       if(const Index edge = edges_[i]; edge != no_index) {
         const Index from = corner(v);
         const bool is_at_from = mesh_.row_begin[from] <= edge && edge < mesh_.row_begin[from + 1];
         const Index at = is_at_from ? from : corner(walks_[i]);
-        f(at, edge - mesh_.row_begin[at], is_at_from ? 1 : -1);
+        f(at, edge - mesh_.row_begin[at], is_at_from != is_back ? 1 : -1);
       }
       v = walks_[i];
     }
@@ -740,8 +741,9 @@ private:
   std::size_t number_of_vertices_ = 0;
   const Index *begin_ = nullptr, *heads_ = nullptr; // by vertex and by step, of the mesh or these:
   std::vector<Index> own_begin_, own_heads_;
-  // By step of a triangulation: what its walk leads to, along which edges of the mesh, and the step
-  // back; by edge of the mesh: the steps whose walks lead along it, and whether backwards.
+  // By step of a triangulation: what its walk leads to, along which edges of the mesh (of one of
+  // two ways), and the step back; by edge of the mesh: the steps whose walks lead along it, and
+  // whether backwards.
   std::vector<Index> walk_begin_, walks_, edges_, ways_back_;
   std::vector<Index> steps_along_begin_;
   std::vector<std::pair<Index, bool>> steps_along_;

@@ -65,11 +65,12 @@ relate_all(const Relate_pairs& relate, const std::vector<Flat_pair>& pairs, Time
 }
 
 // Makes loops short before they are purified, if that is better. What is not pure after all is as
-// it was.
+// it was at first.
 inline std::vector<Index> purify(Class_shortening& shortening,
                                  Purification& purification,
                                  const Relate_pairs& relate,
                                  Time_budget& time,
+                                 const std::vector<Flat_pair>& first,
                                  std::vector<Flat_pair>& pairs,
                                  Loop_relations& relations) {
   purification.choose(pairs, relations);
@@ -78,7 +79,6 @@ inline std::vector<Index> purify(Class_shortening& shortening,
   std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
   if(!shortening.run_roughly(loops, purification.is_pure()))
     return purification.make(pairs);
-  const std::vector<Flat_pair> first = pairs;
   put(loops, pairs);
   relations = relate_all(relate, pairs, time);
   purification.choose(pairs, relations);
@@ -150,10 +150,10 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     const std::vector<Flat_pair> first = pairs;
     progress.advance(first_linking);
     Purification purification(execution, mesh, options.do_shorten, progress, coarse);
-    std::vector<Index> before = options.do_shorten
-                                    ? right_classes::purify(*shortening, purification, relate,
-                                                            progress.time(), pairs, *relations)
-                                    : purification.run(pairs, *relations);
+    std::vector<Index> before =
+        options.do_shorten ? right_classes::purify(*shortening, purification, relate,
+                                                   progress.time(), first, pairs, *relations)
+                           : purification.run(pairs, *relations);
     is_any_loose = is_any_loose || purification.is_any_loose();
     if(options.do_shorten)
       right_classes::shorten(*shortening, pairs, purification.is_pure(), before);
