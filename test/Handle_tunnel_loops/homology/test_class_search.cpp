@@ -237,7 +237,7 @@ public:
       , is_pure_(loops_.size() / 2, is_pure)
       , search_mesh_(mesh_)
       , classes_(Execution(), mesh_, loops_)
-      , edge_classes_(classes_.edge_crossings(), is_pure_) {
+      , edge_classes_(classes_.edge_crossings(), random_weights(is_pure_)) {
     if(finer > 0)
       search_mesh_.refine(finer);
     search_mesh_.count(edge_classes_);

@@ -203,6 +203,11 @@ TEST(Unimodular_system, IsSolved) {
       ASSERT_TRUE(solution);
       expect_normal(*solution);
       EXPECT_EQ(dense(*solution, n), x);
+      Dense modulo(n, 0);
+      system.solve_modulo(sparse(image(m, x)), [&](Index column, Residue value) {
+        modulo[column] = smallest_integer_of(value);
+      });
+      EXPECT_EQ(modulo, x);
     }
   }
 }

@@ -7,7 +7,10 @@
 #include "Same_loops.h"
 #include "with.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/homology/Bounding_loops.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
@@ -18,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -230,7 +234,108 @@ TEST(Right_classes, AreFoundFromAnyBasis) {
   }
 }
 
-// What would have to be put together is so long that loops are made shorter in other classes first.
+std::vector<Class_vector> coordinates_of(const std::vector<Crossing_loop>& loops,
+                                         const Loop_classes& classes) {
+  std::vector<Class_vector> coordinates;
+  for(const Crossing_loop& loop : loops)
+    coordinates.push_back(*classes.class_with(classes.numbers(loop)));
+  return coordinates;
+}
+
+void expect_same_sides(const Loop_sides& a, const Loop_sides& b, std::size_t number) {
+  for(Index i = 0; i < number; ++i) {
+    EXPECT_EQ(a.is_decided(i), b.is_decided(i));
+    EXPECT_EQ(a.bounds_inside(i), b.bounds_inside(i));
+    EXPECT_EQ(a.bounds_outside(i), b.bounds_outside(i));
+    for(const bool inside : {true, false})
+      EXPECT_EQ(a.numbers_of_part(i, inside), b.numbers_of_part(i, inside));
+  }
+}
+
+TEST(Loop_sides, AreThoseOfAnyOtherBasis) {
+  Random random(8);
+  for(const Recipe& recipe : connected) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Wound_up_surface surface(recipe);
+    const std::vector<Flat_pair> first = surface.wound_up_pairs(random, 6),
+                                 second = surface.wound_up_pairs(random, 12);
+    const std::vector<Crossing_loop> loops = Purification::loops_of(second);
+    const Loop_classes classes(Execution(), surface.flat(), Purification::loops_of(first)),
+        other_classes(Execution(), surface.flat(), loops);
+    const std::optional<Loop_sides> sides = Loop_sides::of_basis(
+        Loop_sides(classes, surface.relate(first)), coordinates_of(loops, classes), other_classes);
+    ASSERT_TRUE(sides);
+    expect_same_sides(*sides, Loop_sides(other_classes, surface.relate(second)), loops.size());
+  }
+}
+
+// The level of a ground is made ready as by whoever has it searched.
+struct Prepared_ground
+{
+  explicit Prepared_ground(const Flat_mesh& mesh)
+      : ground(mesh) {
+    ground.levels().prepare(Execution(), 1e9);
+  }
+
+  Search_ground ground;
+};
+
+// Loops in the place of others bound, are shorter, and leave a basis, of which the sides are known.
+TEST(Bounding_loops, TakeThePlaceOfLongerOnes) {
+  Random random(9);
+  std::size_t number_of_surfaces = 0;
+  for(const Recipe& recipe : connected) {
+    SCOPED_TRACE(testing::PrintToString(recipe));
+    const Wound_up_surface surface(recipe);
+    std::vector<Flat_pair> pairs = surface.wound_up_pairs(random, 4);
+    const std::vector<Crossing_loop> before = Purification::loops_of(pairs);
+    std::vector<Crossing_loop> loops = before;
+    std::vector<Index> sources(loops.size());
+    std::iota(sources.begin(), sources.end(), Index(0));
+    Prepared_ground prepared(surface.flat());
+    Quiet_progress progress;
+    const std::optional<Loop_sides> sides =
+        Bounding_loops(Execution(), surface.flat(), prepared.ground, progress)
+            .take(loops, surface.relate(pairs), sources);
+    for(std::size_t k = 0; k < pairs.size(); ++k)
+      pairs[k] = {loops[2 * k], loops[2 * k + 1]};
+    const Loop_classes classes(Execution(), surface.flat(), loops); // asserts that they are a basis
+    const Loop_sides known(classes, surface.relate(pairs));
+    if(sides)
+      expect_same_sides(*sides, known, loops.size());
+    std::size_t number_of_new = 0;
+    for(Index i = 0; i < loops.size(); ++i)
+      if(sources[i] == no_index) {
+        ++number_of_new;
+        EXPECT_NE(known.bounds_inside(i), known.bounds_outside(i));
+        EXPECT_LT(length(surface.flat(), loops[i]), length(surface.flat(), before[i]));
+      } else {
+        EXPECT_EQ(sources[i], i);
+        EXPECT_TRUE(are_equal(loops[i], before[i]));
+      }
+    EXPECT_EQ(number_of_new != 0, sides.has_value());
+    number_of_surfaces += sides.has_value();
+  }
+  EXPECT_GE(number_of_surfaces, 4u); // of nine; where loops are large, none is near enough
+}
+
+// Nothing bounds where it is not known what does.
+TEST(Bounding_loops, TakeNoPlaceWhereNoSideIsKnown) {
+  Random random(10);
+  const Wound_up_surface surface(Recipe{"multi-torus", {1000, 4, 0}});
+  const std::vector<Flat_pair> pairs = surface.wound_up_pairs(random, 20);
+  Loop_relations relations = surface.relate(pairs);
+  relations.problems.emplace(3, "a problem");
+  std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
+  std::vector<Index> sources(loops.size(), 0);
+  Prepared_ground prepared(surface.flat());
+  Quiet_progress progress;
+  EXPECT_FALSE(Bounding_loops(Execution(), surface.flat(), prepared.ground, progress)
+                   .take(loops, relations, sources));
+  EXPECT_EQ(sources, std::vector<Index>(loops.size(), 0));
+}
+
+// There are so many loops that short ones that bound come first.
 TEST(Right_classes, AreFoundFromVeryLongLoops) {
   Random random(6);
   const Wound_up_surface surface(Recipe{"bars", {4000, 100, 0}});
@@ -239,9 +344,11 @@ TEST(Right_classes, AreFoundFromVeryLongLoops) {
   };
   const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 500);
   Quiet_progress progress;
-  Purification purification(Execution(), surface.flat(), true, progress);
-  purification.choose(wound_up, surface.relate(wound_up));
-  EXPECT_TRUE(purification.is_too_long());
+  std::vector<Crossing_loop> loops = Purification::loops_of(wound_up);
+  std::vector<Index> sources(loops.size(), 0);
+  Prepared_ground prepared(surface.flat());
+  EXPECT_TRUE(Bounding_loops(Execution(), surface.flat(), prepared.ground, progress)
+                  .take(loops, surface.relate(wound_up), sources));
   std::vector<std::vector<Crossing_loop>> answers;
   for(const Execution execution : {Execution(), Execution::parallel()}) {
     std::vector<Flat_pair> pairs = wound_up;
@@ -260,7 +367,29 @@ TEST(Right_classes, AreFoundFromVeryLongLoops) {
   EXPECT_LE(sum, 1.1 * surface.length_of_answer());
 }
 
-// Where nothing is known of their sides after that, the first pairs take their places again.
+// What stays of the first loops keeps its name, so that its relations need not be found again.
+TEST(Right_classes, NameTheLoopsThatStay) {
+  Random random(6);
+  const Wound_up_surface surface(Recipe{"bars", {4000, 100, 0}});
+  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 500);
+  const std::vector<Crossing_loop> first = Purification::loops_of(wound_up);
+  bool is_any_known = false;
+  const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations* known) {
+    const std::vector<Crossing_loop> loops = Purification::loops_of(p);
+    for(std::size_t i = 0; known != nullptr && i < loops.size(); ++i)
+      if(known->before[i] != no_index) {
+        is_any_known = true;
+        EXPECT_TRUE(are_equal(loops[i], first[known->before[i]]));
+      }
+    return surface.relate(p);
+  };
+  std::vector<Flat_pair> pairs = wound_up;
+  Quiet_progress progress;
+  find_right_classes(Execution(), surface.flat(), {}, relate, pairs, progress);
+  EXPECT_TRUE(is_any_known);
+}
+
+// If the loops found then are not pure, the first pairs take their places again.
 TEST(Right_classes, AreTakenBackIfTheyAreNotPureInTheEnd) {
   Random random(6);
   const Wound_up_surface surface(Recipe{"bars", {4000, 100, 0}});
@@ -276,13 +405,12 @@ TEST(Right_classes, AreTakenBackIfTheyAreNotPureInTheEnd) {
   Quiet_progress progress;
   const std::optional<Loop_relations> relations =
       find_right_classes(Execution(), surface.flat(), {}, relate, pairs, progress);
-  EXPECT_EQ(calls, 3);
-  const std::vector<Crossing_loop> before = Purification::loops_of(wound_up),
-                                   after = Purification::loops_of(pairs);
-  for(std::size_t i = 0; i < before.size(); ++i)
-    EXPECT_TRUE(are_equal(before[i], after[i]));
-  ASSERT_TRUE(relations);
-  EXPECT_EQ(relations->bounds_alone(true), surface.relate(wound_up).bounds_alone(true));
+  EXPECT_EQ(calls, 2);
+  EXPECT_FALSE(relations); // they are to be related once more
+  const Loop_classes classes(Execution(), surface.flat(), Purification::loops_of(wound_up));
+  const std::vector<Crossing_loop> after = Purification::loops_of(pairs);
+  for(Index i = 0; i < after.size(); ++i) // they may have been tightened
+    EXPECT_EQ(classes.class_with(classes.numbers(after[i])), (Class_vector{{i, 1}}));
 }
 
 // Of the shortest basis no sides are asked for.

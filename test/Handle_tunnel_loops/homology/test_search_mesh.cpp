@@ -364,7 +364,7 @@ TEST(Search_mesh, CountsWhatItsWalksCross) {
     const std::vector<Crossing_loop> loops = random_loops(mesh, random, 8);
     const Crossing_index index(mesh, loops);
     const Edge_classes classes(std::make_shared<const Edge_crossings>(Execution(), mesh, index),
-                               {1, 0, 1, 0});
+                               random_weights({1, 0, 1, 0}));
     for(const std::size_t more : {0, 500}) {
       Search_mesh finer(mesh);
       if(more > 0)

@@ -23,8 +23,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <numeric>
 #include <optional>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -184,6 +186,45 @@ private:
   std::vector<double> along_; // the loop, by crossing
 };
 
+/// A loop that may take the place of others of a basis.
+struct Loop_candidate
+{
+  double length;
+  Crossing_loop loop;
+  Class_vector numbers, coordinates; ///< with and in the basis
+
+  /// nothing where numbers are too large.
+  static std::optional<Loop_candidate>
+  of(const Flat_mesh& mesh, const Loop_classes& classes, Crossing_loop loop) {
+    Loop_candidate c = {
+        CGAL::Handle_tunnel_loops::internal::length(mesh, loop), std::move(loop), {}, {}};
+    c.numbers = classes.numbers(c.loop);
+    std::optional<Class_vector> coordinates = classes.class_with(c.numbers);
+    if(!coordinates)
+      return std::nullopt;
+    c.coordinates = std::move(*coordinates);
+    return c;
+  }
+
+  friend bool operator<(const Loop_candidate& a, const Loop_candidate& b) {
+    return a.length < b.length;
+  }
+};
+
+/// the loops of a basis that can be replaced by a shorter one with these coordinates in it, the
+/// longest first.
+inline std::vector<Index>
+replaceable(const Class_vector& coordinates, double length, const std::vector<double>& lengths) {
+  constexpr double gain_worth_having = 1. - 1e-7;
+  std::vector<Index> places;
+  for(const auto& [i, value] : coordinates)
+    if(std::abs(value) == 1 && length < gain_worth_having * lengths[i])
+      places.push_back(i);
+  std::stable_sort(places.begin(), places.end(),
+                   [&](Index a, Index b) { return lengths[a] > lengths[b]; });
+  return places;
+}
+
 /*!
 A basis of loops in which one after the other is replaced.
 
@@ -196,7 +237,8 @@ class Class_exchange
 public:
   explicit Class_exchange(const Loop_classes& classes)
       : classes_(classes)
-      , is_replaced_(classes.size(), 0) {
+      , is_replaced_(classes.size(), 0)
+      , exchanges_of_(classes.size()) {
     for(Index i = 0; i < classes.size(); ++i)
       members_.push_back({{i, 1}});
   }
@@ -204,7 +246,24 @@ public:
   /// the coordinates in the present basis of a class that is given in the first one, unless a
   /// number is too large.
   std::optional<Class_vector> coordinates(Class_vector a) const {
-    for(const Exchange& e : exchanges_) {
+    // Of exchanges, the first at each coordinate that comes after those that have been looked at.
+    std::priority_queue<Index, std::vector<Index>, std::greater<Index>> to_do;
+    const auto look_at = [&](Index i, Index next) {
+      const std::vector<Index>& own = exchanges_of_[i];
+      const auto e = std::lower_bound(own.begin(), own.end(), next);
+      if(e != own.end())
+        to_do.push(*e);
+    };
+    for(const auto& c : a)
+      look_at(c.first, 0);
+    for(Index next = 0; !to_do.empty();) {
+      const Index number = to_do.top();
+      to_do.pop();
+      if(number < next)
+        continue;
+      next = number + 1;
+      const Exchange& e = exchanges_[number];
+      look_at(e.index, next);
       const std::int64_t x = coordinate(a, e.index);
       if(x == 0)
         continue;
@@ -212,6 +271,8 @@ public:
       if(!add_multiple(a, -x * e.unit, e.coordinates) ||
          !add_multiple(a, 1, {{e.index, x * e.unit}}))
         return std::nullopt;
+      for(const auto& c : e.coordinates)
+        look_at(c.first, next);
     }
     return a;
   }
@@ -225,8 +286,10 @@ public:
     if(is_replaced_[k] == 0)
       replaced_.push_back(k);
     is_replaced_[k] = 1;
-    if(present.size() > 1 || unit != 1)
+    if(present.size() > 1 || unit != 1) {
+      exchanges_of_[k].push_back(static_cast<Index>(exchanges_.size()));
       exchanges_.push_back({k, unit, present});
+    }
   }
 
   /// the intersection number of a class, given by its numbers with the first basis, with a member.
@@ -247,6 +310,9 @@ public:
     return found;
   }
 
+  /// a member, by its coordinates in the first basis.
+  const Class_vector& member(Index i) const { return members_[i]; }
+
   /// the intersection numbers of a member with the first basis.
   Class_vector numbers(Index member) const { return classes_.numbers_of_class(members_[member]); }
 
@@ -263,6 +329,7 @@ private:
   std::vector<Index> replaced_;
   std::vector<char> is_replaced_; // by member
   std::vector<Exchange> exchanges_;
+  std::vector<std::vector<Index>> exchanges_of_; // by member, their numbers
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Bounding_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Neighbor_sums.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
@@ -69,24 +70,26 @@ public:
   }
 
   /// from now on the loops of pairs need not cross once.
-  void forget_pairs() { are_pairs_kept_ = is_rough_done_ = false; }
+  void forget_pairs() { are_pairs_kept_ = is_the_rest_short_ = false; }
 
-  /// puts shorter loops of any class in the place of some, but of pairs only that are \p is_wanted.
-  /// The loops of pairs need not cross once after that. Returns whether there are any.
-  bool run_roughly(std::vector<Crossing_loop>& loops, const std::vector<char>& is_wanted) {
-    if(!start(loops, std::vector<char>(loops.size(), 1)))
-      return false;
-    const std::vector<char> is_pure(loops.size() / 2, 0);
-    is_pure_ = &is_pure;
-    const bool were_kept = std::exchange(are_pairs_kept_, false);
-    open([&](Index i) { return is_wanted[i / 2] != 0; });
-    repeat(visits());
-    are_pairs_kept_ = were_kept;
-    is_pure_ = nullptr;
+  /// puts short loops that bound in the place of others, where there are so many that not each can
+  /// be searched for; see `Bounding_loops`. The loops of pairs need not cross once after that.
+  /// Returns what is known of the sides then, or nothing if no loop has been replaced.
+  std::optional<Loop_sides> take_bounding_loops(std::vector<Crossing_loop>& loops,
+                                                const Loop_relations& relations) {
+    if(loops.size() < many_loops || visits() <= 0. ||
+       !start(loops, std::vector<char>(loops.size(), 0)))
+      return std::nullopt;
+    Bounding_loops bounding(execution_, mesh_, coarse_ground_ ? *coarse_ground_ : fine_ground_,
+                            progress_);
+    std::optional<Loop_sides> sides = bounding.take(loops, relations, sources_);
     forget_searches();
-    is_rough_done_ = std::find(sources_.begin(), sources_.end(), no_index) != sources_.end();
-    return is_rough_done_;
+    is_the_rest_short_ = sides && bounding.are_there_all();
+    return sides;
   }
+
+  /// by loop the number that it had before what was last done, or `no_index` if it is new.
+  const std::vector<Index>& sources() const { return sources_; }
 
   /// \p loops are handles and tunnels in turn, of which \p is_pure says by pair whether they bound
   /// on their sides, and \p is_new by loop which have not been made short at all. Returns by loop
@@ -97,19 +100,19 @@ public:
     is_pure_ = &is_pure;
     if(!start(loops, is_new))
       return std::move(sources_);
-    if(is_rough_done_)
+    if(is_the_rest_short_)
       is_fresh_ = is_new;
     // Loops that have just been put together have been seen by nothing, the others by a field, or
-    // by a rough search. On a small mesh there is enough for all of them at once.
+    // among the shortest that bound. On a small mesh there is enough for all of them at once.
     const double number_of_new = double(std::count(is_new.begin(), is_new.end(), 1));
-    if(!is_small() || is_rough_done_) {
+    if(!is_small() || is_the_rest_short_) {
       open([&](Index i) { return is_new[i] != 0; });
       repeat((std::max)(visits(), visits_for_new() * number_of_new / (number_of_new + 8.)),
              part_while_it_pays * visits_for_new());
     }
     if(visits() > least_visits * double(loops.size())) {
       double left = visits();
-      if(!is_rough_done_) {
+      if(!is_the_rest_short_) {
         open([](Index) { return true; });
         overestimate_ = 1.;
         left = repeat(visits());
@@ -138,19 +141,14 @@ private:
     return true;
   }
 
-  struct Candidate
-  {
-    double length;
-    Crossing_loop loop;
-    Class_vector numbers, coordinates; // with and in the loops before the round
-  };
+  using Candidate = Loop_candidate; // of the loops before the round
 
+  static constexpr std::size_t many_loops = 32;
   static constexpr int most_rounds = 10;
   // So much longer, at most, is a walk on the edges than the loop that it is pulled to.
   static constexpr double refined_edges = 1.3, poor_edges = 1.4;
 
-  static constexpr double gain_worth_having = 1. - 1e-7, much_shorter = 0.99,
-                          hardly_shorter = 0.997;
+  static constexpr double much_shorter = 0.99, hardly_shorter = 0.997;
 
   static constexpr double most_visits = 2e6, most_on_large_mesh = 1.6e6;
   static constexpr double most_overestimate = 4.;    // that is made use of
@@ -229,7 +227,7 @@ private:
   Scale scale(double length, Index partner) {
     Search_ground& ground =
         coarse_ground_ && length >= longest_on_fine_ground_ ? *coarse_ground_ : fine_ground_;
-    return {&ground, ground.levels().level(is_thorough_ || is_rough_done_
+    return {&ground, ground.levels().level(is_thorough_ || is_the_rest_short_
                                                ? (std::min)(length, around_tube * lengths_[partner])
                                                : length)};
   }
@@ -308,7 +306,7 @@ private:
         break;
       exchange();
       // It goes on as long as it pays.
-      if((are_all_searched_ || is_rough_done_) && total_length() > hardly_shorter * before)
+      if((are_all_searched_ || is_the_rest_short_) && total_length() > hardly_shorter * before)
         break;
       if(total_length() < gain_worth_visits * before) {
         const double more = (std::max)(0., (std::min)(spare, share - visits));
@@ -454,7 +452,8 @@ private:
         levels[own].insert(level);
       }
     for(const auto& [ground, used] : levels)
-      ground->prepare(execution_, used, *loops_, classes_->edge_crossings(), *is_pure_);
+      ground->prepare(execution_, used, *loops_, classes_->edge_crossings(),
+                      random_weights(*is_pure_));
   }
 
   // By how much more is allowed than expected, which may be too little: a search that has to be
@@ -538,15 +537,8 @@ private:
     return candidates;
   }
 
-  // None where numbers are too large.
   std::optional<Candidate> candidate(Crossing_loop loop) const {
-    Candidate c = {length(mesh_, loop), std::move(loop), {}, {}};
-    c.numbers = classes_->numbers(c.loop);
-    std::optional<Class_vector> coordinates = classes_->class_with(c.numbers);
-    if(!coordinates)
-      return std::nullopt;
-    c.coordinates = std::move(*coordinates);
-    return c;
+    return Candidate::of(mesh_, *classes_, std::move(loop));
   }
 
   // Shorter sums of two loops, at least one of which is fresh. Returns whether there are any.
@@ -572,7 +564,7 @@ private:
 
   std::vector<Candidate> sums(Index i, Neighbor_sums& sums) {
     std::vector<Candidate> candidates;
-    if(!is_to_be_shortened(i) || (is_rough_done_ && !is_fresh_[i]))
+    if(!is_to_be_shortened(i) || (is_the_rest_short_ && !is_fresh_[i]))
       return candidates;
     for(Crossing_loop& loop : sums.of(i, work_for_sums_[i], [&](Index j) {
           const bool is_same_kind = i % 2 == j % 2 && (*is_pure_)[j / 2];
@@ -596,8 +588,7 @@ private:
   }
 
   void exchange() {
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+    std::stable_sort(candidates_.begin(), candidates_.end());
     Class_exchange exchange(*classes_);
     Pairing pairing(loops_->size() / 2);
     for(Index k = 0; k < loops_->size() / 2; ++k)
@@ -615,13 +606,7 @@ private:
     const std::optional<Class_vector> x = exchange.coordinates(c.coordinates);
     if(!x)
       return;
-    std::vector<Index> places;
-    for(const auto& [i, value] : *x)
-      if(std::abs(value) == 1 && c.length < gain_worth_having * lengths_[i])
-        places.push_back(i);
-    std::stable_sort(places.begin(), places.end(),
-                     [this](Index a, Index b) { return lengths_[a] > lengths_[b]; });
-    for(Index i : places)
+    for(Index i : replaceable(*x, c.length, lengths_))
       if(can_pair(c, i, exchange, pairing)) {
         // There is nothing new to be found for a loop in place of one of its class, about as long.
         if(x->size() > 1 || c.length < much_shorter * lengths_[i])
@@ -702,13 +687,13 @@ private:
   const std::vector<char>* is_pure_ = nullptr;
   bool is_prepared_ = false; // the grounds to search on
   bool are_pairs_kept_ = true;
-  bool is_rough_done_ = false;
-  bool is_lean_ = false;          // the search, of long loops
-  bool is_thorough_ = false;      // the search, of the round: all tasks, on small cells
-  bool are_all_tasks_ = false;    // not only the likely ones, in the round
-  bool are_all_searched_ = false; // to their end, in the last round
-  double part_ = 0.;              // of the length of the loops, to look for
-  double overestimate_ = 1.;      // visits planned over visits needed, in the last round
+  bool is_the_rest_short_ = false; // all but what has just been put together
+  bool is_lean_ = false;           // the search, of long loops
+  bool is_thorough_ = false;       // the search, of the round: all tasks, on small cells
+  bool are_all_tasks_ = false;     // not only the likely ones, in the round
+  bool are_all_searched_ = false;  // to their end, in the last round
+  double part_ = 0.;               // of the length of the loops, to look for
+  double overestimate_ = 1.;       // visits planned over visits needed, in the last round
   std::vector<double> lengths_;
   std::vector<Index> sources_;
   std::vector<char> is_open_;         // by loop, whether to look for candidates

@@ -70,13 +70,7 @@ public:
 
   /// the intersection numbers of a curve with the basis.
   Class_vector numbers(const Crossing_loop& loop) const {
-    const auto sum = sums_.borrow();
-    for_each_left_edge(loop, [&](Index u, Index v) {
-      crossings_->for_each_term(u, v, [&](Index other, int number) { sum->add(other, number); });
-    });
-    Class_vector numbers;
-    sum->take([&](Index other, std::int64_t number) { numbers.emplace_back(other, number); });
-    return numbers;
+    return crossings_->numbers(loop, *sums_.borrow());
   }
 
   /// the intersection numbers of loop `i` of the basis with the basis.
@@ -95,6 +89,12 @@ public:
   /// the coordinates of the class with these intersection numbers, unless they are too large.
   std::optional<Class_vector> class_with(const Class_vector& numbers) const {
     return system_->solve(numbers);
+  }
+
+  /// calls `f(i, coordinate)` for the coordinates modulo a large prime, if they may be large.
+  template <typename Function>
+  void for_each_coordinate(const Class_vector& numbers, const Function& f) const {
+    system_->solve_modulo(numbers, [&](Index i, Residue x) { f(i, smallest_integer_of(x)); });
   }
 
 private:
@@ -133,8 +133,37 @@ public:
     find_signs(classes, relations);
   }
 
+  /// those of the loops of another basis by their \p coordinates in the first, for linking numbers
+  /// are bilinear; nothing if a number became too large.
+  static std::optional<Loop_sides> of_basis(const Loop_sides& first,
+                                            const std::vector<Class_vector>& coordinates,
+                                            const Loop_classes& classes) {
+    Loop_sides sides(first.signs_);
+    std::vector<Class_vector> loops_with(coordinates.size()); // by loop of the first basis
+    for(Index i = 0; i < coordinates.size(); ++i)
+      for(const auto& [k, factor] : coordinates[i])
+        loops_with[k].emplace_back(i, factor);
+    Sparse_sum<std::int64_t> sum;
+    for(Index i = 0; i < coordinates.size(); ++i) {
+      const Class_vector row = sum_of_multiples(coordinates[i], first.rows_, sum);
+      const Class_vector skew = scaled(classes.row(i), first.signs_[i]);
+      if(!row.empty())
+        sides.rows_[i] = sum_of_multiples(coordinates[i], first.columns_, sum).empty()
+                             ? skew
+                             : sum_of_multiples(row, loops_with, sum);
+      sides.columns_[i] = sides.rows_[i];
+      if(!add_multiple(sides.columns_[i], -1, skew))
+        return std::nullopt;
+    }
+    return sides;
+  }
+
   /// whether it is known for the component of a loop which classes bound inside and outside.
   bool is_decided(Index i) const { return signs_[i] != 0; }
+
+  bool is_any_decided() const {
+    return std::any_of(signs_.begin(), signs_.end(), [](int sign) { return sign != 0; });
+  }
 
   bool bounds_inside(Index i) const { return is_decided(i) && rows_[i].empty(); }
   bool bounds_outside(Index i) const { return is_decided(i) && columns_[i].empty(); }
@@ -145,6 +174,22 @@ public:
   }
 
 private:
+  explicit Loop_sides(const std::vector<int>& signs)
+      : rows_(signs.size())
+      , columns_(signs.size())
+      , signs_(signs) {}
+
+  static Class_vector sum_of_multiples(const Class_vector& factors,
+                                       const std::vector<Class_vector>& vectors,
+                                       Sparse_sum<std::int64_t>& sum) {
+    for(const auto& [i, factor] : factors)
+      for(const auto& [k, value] : vectors[i])
+        sum.add(k, factor * value);
+    Class_vector result;
+    sum.take([&](Index k, std::int64_t value) { result.emplace_back(k, value); });
+    return result;
+  }
+
   // V less its transpose is J or -J on a component. If it is neither, the surface crosses itself.
   void find_signs(const Loop_classes& classes, const Loop_relations& relations) {
     std::map<std::size_t, int> sign_of_component;

@@ -67,37 +67,16 @@ public:
 
   /// chooses the classes of the loops, of which some are there.
   void choose(const std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
-    loops_ = loops_of(pairs);
-    classes_ = std::make_unique<Loop_classes>(execution_, mesh_, loops_);
-    const Loop_sides sides(*classes_, relations);
-    weights_.clear();
-    for(const Crossing_loop& loop : loops_)
-      weights_.push_back(double(loop.size()));
-    std::map<std::size_t, std::vector<Index>> pairs_of_component;
-    is_pure_.assign(pairs.size(), 0);
-    for(Index k = 0; k < pairs.size(); ++k)
-      if(sides.is_decided(2 * k))
-        pairs_of_component[relations.components[2 * k]].push_back(k);
-    bases_.clear();
-    projected_.clear();
-    for(auto& [component, numbers] : pairs_of_component)
-      choose(std::move(numbers), sides);
-    classes_.reset();
+    take(pairs);
+    choose(relations.components, Loop_sides(*classes_, relations));
   }
 
-  /// Whether it is better to make the loops shorter first, in whatever class: more is to be put
-  /// together of them than they are, and too much of it to be looked for anew.
-  bool is_too_long() const {
-    constexpr std::size_t many = 100;
-    std::size_t number = 0;
-    double crossings = 0.;
-    for(const Basis& basis : bases_)
-      for(const std::vector<Member>* members : {&basis.handles, &basis.tunnels}) {
-        number += std::count_if(members->begin(), members->end(),
-                                [](const Member& m) { return m.loop == no_index; });
-        crossings += crossings_of_made(*members);
-      }
-    return number > many && crossings > std::accumulate(weights_.begin(), weights_.end(), 0.);
+  /// the same, if the sides of the loops are known; \p components are those of the loops.
+  void choose(const std::vector<Flat_pair>& pairs,
+              const std::vector<std::size_t>& components,
+              const Loop_sides& sides) {
+    take(pairs);
+    choose(components, sides);
   }
 
   /// puts the loops together that have been chosen; see `run()`.
@@ -150,6 +129,27 @@ private:
     std::vector<Index> numbers;
     std::vector<Member> handles, tunnels;
   };
+
+  void take(const std::vector<Flat_pair>& pairs) {
+    loops_ = loops_of(pairs);
+    classes_ = std::make_unique<Loop_classes>(execution_, mesh_, loops_);
+    weights_.clear();
+    for(const Crossing_loop& loop : loops_)
+      weights_.push_back(double(loop.size()));
+  }
+
+  void choose(const std::vector<std::size_t>& components, const Loop_sides& sides) {
+    std::map<std::size_t, std::vector<Index>> pairs_of_component;
+    is_pure_.assign(loops_.size() / 2, 0);
+    for(Index k = 0; k < is_pure_.size(); ++k)
+      if(sides.is_decided(2 * k))
+        pairs_of_component[components[2 * k]].push_back(k);
+    bases_.clear();
+    projected_.clear();
+    for(auto& [component, numbers] : pairs_of_component)
+      choose(std::move(numbers), sides);
+    classes_.reset();
+  }
 
   void choose(std::vector<Index> numbers, const Loop_sides& sides) {
     std::optional<std::vector<Member>> handles = basis(numbers, sides, true);

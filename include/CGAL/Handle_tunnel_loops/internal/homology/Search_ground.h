@@ -51,12 +51,12 @@ public:
   Search_levels& levels() { return levels_; }
 
   /// makes searches ready on some levels, which last until this is called again. \p crossings are
-  /// those of the loops.
+  /// those of the loops, and \p weights.
   void prepare(Execution execution,
                const std::set<int>& levels,
                const std::vector<Crossing_loop>& loops,
                const std::shared_ptr<const Edge_crossings>& crossings,
-               const std::vector<char>& is_pure) {
+               std::vector<Class_sums> weights) {
     loops_ = &loops;
     if(coarse_ != nullptr) {
       projected_.resize(loops.size());
@@ -66,14 +66,18 @@ public:
       loops_ = &projected_;
       edge_classes_.emplace(std::make_shared<const Edge_crossings>(
                                 execution, mesh_, Crossing_index(mesh_, projected_)),
-                            is_pure);
+                            std::move(weights));
     } else
-      edge_classes_.emplace(crossings, is_pure);
+      edge_classes_.emplace(crossings, std::move(weights));
     levels_.count(execution, levels, *edge_classes_);
     for(int k : levels)
       searches_.try_emplace(
           k, [this, k] { return std::make_unique<Partner_search>(mesh_, levels_[k]); });
   }
+
+  /// the mesh, or the coarse one, and a loop there.
+  const Flat_mesh& mesh() const { return mesh_; }
+  const Crossing_loop& loop(Index i) const { return (*loops_)[i]; }
 
   /// gives away what is made again by `prepare()`.
   void forget() {
@@ -95,22 +99,39 @@ public:
     searches_.at(level).borrow()->run((*loops_)[partner], partner, manner, targets, visits);
   }
 
-  /// the loop on the mesh along a walk that was found, tightened, or straight if there is a coarse
-  /// one; nothing if it would not be shorter than \p limit.
-  std::optional<Crossing_loop>
-  tightened(Execution execution, const std::vector<Index>& walk, double limit) const {
+  /// the loop on the ground along a walk that was found, tightened; empty if it is a point.
+  Crossing_loop tightened(Execution execution, const std::vector<Index>& walk) const {
     Crossing_loop loop = levels_[0].loop_along(walk);
-    if(loop.empty())
-      return std::nullopt;
-    Loop_tightening(execution, mesh_).tighten(loop);
+    if(!loop.empty())
+      Loop_tightening(execution, mesh_).tighten(loop);
+    return loop;
+  }
+
+  /// a loop on the ground as one on the mesh: straight, if the ground is a coarse one.
+  Crossing_loop on_mesh(Execution execution, Crossing_loop loop) const {
     if(coarse_ == nullptr)
       return loop;
-    if(length(mesh_, loop) > coarse_lengths * limit)
-      return std::nullopt;
     loop = coarse_->lifted(loop);
     Loop_tightening(execution, fine_).straighten(loop);
     return loop;
   }
+
+  /// how short, at least, a geodesic of this length on the ground is on the mesh, about.
+  double least_on_mesh(double length_on_ground) const {
+    return coarse_ == nullptr ? length_on_ground : length_on_ground / coarse_lengths;
+  }
+
+  /// both; nothing if it would not be shorter than \p limit.
+  std::optional<Crossing_loop>
+  tightened(Execution execution, const std::vector<Index>& walk, double limit) const {
+    Crossing_loop loop = tightened(execution, walk);
+    if(loop.empty() || (coarse_ != nullptr && least_on_mesh(length(mesh_, loop)) > limit))
+      return std::nullopt;
+    return on_mesh(execution, std::move(loop));
+  }
+
+  /// which loops cross the edges of the ground.
+  const Edge_crossings& crossings() const { return edge_classes_->crossings(); }
 
 private:
   // A geodesic of the coarse mesh may be as much longer than that of the fine one.

@@ -74,16 +74,28 @@ private:
   Index first_;
 };
 
-/// What each edge contributes to the sums of walks, and which loops cross it. Loops 2k and 2k + 1
-/// are a pair.
+/// random weights for loops of which 2k and 2k + 1 are a pair. \p is_pure says by pair whether its
+/// loops bound on their sides. If so, handles and tunnels have sums of their own; if not, there are
+/// no loops that must not be crossed.
+inline std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
+  std::mt19937_64 random;
+  std::vector<Class_sums> weights;
+  for(const char pure : is_pure) {
+    const std::uint64_t handle = random(), tunnel = random();
+    weights.push_back(pure ? Class_sums{handle, 0} : Class_sums{0, handle});
+    weights.push_back({0, tunnel});
+  }
+  return weights;
+}
+
+/// What each edge contributes to the sums of walks, and which loops cross it.
 class Edge_classes
 {
 public:
-  /// \p is_pure says by pair whether its loops bound on their sides. If so, handles and tunnels
-  /// have sums of their own; if not, there are no loops that must not be crossed.
-  Edge_classes(std::shared_ptr<const Edge_crossings> crossings, const std::vector<char>& is_pure)
+  /// \p weights are those of the loops.
+  Edge_classes(std::shared_ptr<const Edge_crossings> crossings, std::vector<Class_sums> weights)
       : crossings_(std::move(crossings))
-      , weights_(random_weights(is_pure))
+      , weights_(std::move(weights))
       , sums_(crossings_->number_of_edges()) {
     for(Index e = 0; e < sums_.size(); ++e)
       for(const Edge_crossings::Term& t : crossings_->terms(e))
@@ -91,6 +103,8 @@ public:
   }
 
   std::size_t number_of_loops() const { return weights_.size(); }
+
+  const Edge_crossings& crossings() const { return *crossings_; }
 
   /// the sums of a walk that crosses a loop once.
   const Class_sums& weight(Index loop) const { return weights_[loop]; }
@@ -115,17 +129,6 @@ public:
   }
 
 private:
-  static std::vector<Class_sums> random_weights(const std::vector<char>& is_pure) {
-    std::mt19937_64 random;
-    std::vector<Class_sums> weights;
-    for(const char pure : is_pure) {
-      const std::uint64_t handle = random(), tunnel = random();
-      weights.push_back(pure ? Class_sums{handle, 0} : Class_sums{0, handle});
-      weights.push_back({0, tunnel});
-    }
-    return weights;
-  }
-
   std::shared_ptr<const Edge_crossings> crossings_;
   std::vector<Class_sums> weights_; // by loop
   std::vector<Class_sums> sums_;    // by edge

@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
 
@@ -20,7 +22,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -162,7 +165,9 @@ class Unimodular_system
 public:
   /// takes the rows of the matrix.
   explicit Unimodular_system(const std::vector<Class_vector>& rows)
-      : columns_(rows.size()) {
+      : columns_(rows.size())
+      , values_([n = rows.size()] { return std::make_unique<Values>(n); })
+      , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); }) {
     for(Index r = 0; r < rows.size(); ++r)
       for(const auto& [column, value] : rows[r])
         columns_[column].emplace_back(r, value);
@@ -178,31 +183,37 @@ public:
 
   /// the solution x of A x = b; nothing if it has coordinates that are too large.
   std::optional<Class_vector> solve(const Class_vector& b) const {
-    CGAL_precondition(is_regular());
-    std::map<Index, Residue> values; // by step
-    for(const auto& [row, value] : b)
-      values[step_of_row_[row]] = residue_of(value);
-    // What is subtracted from comes later.
-    for(auto it = values.begin(); it != values.end(); ++it)
-      subtract(it->second, steps_[it->first].later, values);
-    // ... and here earlier: the values become those of the columns.
-    for(auto it = values.end(); it != values.begin();) {
-      --it;
-      it->second = product(it->second, steps_[it->first].inverse);
-      subtract(it->second, steps_[it->first].earlier, values);
-    }
     Class_vector solution;
-    for(const auto& [step, x] : values)
-      if(x != 0) {
-        const std::int64_t value = smallest_integer_of(x);
-        if(is_too_large(value))
-          return std::nullopt;
-        solution.emplace_back(steps_[step].column, value);
-      }
+    bool fits = true;
+    solve_modulo(b, [&](Index column, Residue x) {
+      const std::int64_t value = smallest_integer_of(x);
+      fits = fits && !is_too_large(value);
+      if(value != 0)
+        solution.emplace_back(column, value);
+    });
+    if(!fits)
+      return std::nullopt;
     std::sort(solution.begin(), solution.end());
     if(!solves(solution, b))
       return std::nullopt;
     return solution;
+  }
+
+  /// calls `f(column, x)` for the solution modulo the prime, but for zeros, in no order.
+  template <typename Function> void solve_modulo(const Class_vector& b, const Function& f) const {
+    CGAL_precondition(is_regular());
+    const auto values = values_.borrow();
+    for(const auto& [row, value] : b)
+      values->set(step_of_row_[row], residue_of(value));
+    // What is subtracted from comes later.
+    values->go_through(std::greater<Index>(),
+                       [this](Index step, Residue&) -> const Row& { return steps_[step].later; });
+    // ... and here earlier: the values become those of the columns.
+    values->go_through(std::less<Index>(), [this](Index step, Residue& value) -> const Row& {
+      value = product(value, steps_[step].inverse);
+      return steps_[step].earlier;
+    });
+    values->take([&](Index step, Residue x) { f(steps_[step].column, x); });
   }
 
 private:
@@ -302,28 +313,77 @@ private:
     }
   }
 
-  static void subtract(Residue factor, const Row& multiples, std::map<Index, Residue>& values) {
-    if(factor != 0)
-      for(const auto& [step, value] : multiples) {
-        Residue& x = values.emplace(step, 0).first->second;
-        x = difference(x, product(value, factor));
+  // By step, most of them zero.
+  class Values
+  {
+  public:
+    explicit Values(std::size_t number_of_steps)
+        : values_(number_of_steps, 0)
+        , is_known_(number_of_steps, 0) {}
+
+    void set(Index step, Residue value) {
+      values_[step] = value;
+      is_known_[step] = 1;
+      to_do_.push_back(step);
+    }
+
+    // Goes through what is not zero, and what is no longer meanwhile, and subtracts multiples of
+    // each, which `multiples_of(step, value)` tells, from what comes after it.
+    template <typename Order, typename Function>
+    void go_through(const Order& comes_after, const Function& multiples_of) {
+      std::make_heap(to_do_.begin(), to_do_.end(), comes_after);
+      while(!to_do_.empty()) {
+        std::pop_heap(to_do_.begin(), to_do_.end(), comes_after);
+        const Index step = to_do_.back();
+        to_do_.pop_back();
+        done_.push_back(step);
+        const Row& multiples = multiples_of(step, values_[step]);
+        if(const Residue factor = values_[step]; factor != 0)
+          for(const auto& [other, value] : multiples) {
+            if(is_known_[other] == 0) {
+              set(other, 0);
+              std::push_heap(to_do_.begin(), to_do_.end(), comes_after);
+            }
+            values_[other] = difference(values_[other], product(value, factor));
+          }
       }
-  }
+      to_do_.swap(done_);
+    }
+
+    // Calls `f(step, value)`, and sets all to zero.
+    template <typename Function> void take(const Function& f) {
+      for(const Index step : to_do_) {
+        if(values_[step] != 0)
+          f(step, values_[step]);
+        values_[step] = 0;
+        is_known_[step] = 0;
+      }
+      to_do_.clear();
+    }
+
+  private:
+    std::vector<Residue> values_;
+    std::vector<char> is_known_;
+    std::vector<Index> to_do_, done_;
+  };
 
   bool solves(const Class_vector& x, const Class_vector& b) const {
-    Class_vector rest;
+    const auto rest = sums_.borrow();
     for(const auto& [row, value] : b)
-      rest.emplace_back(row, -value);
+      rest->add(row, -value);
     for(const auto& [column, factor] : x)
       for(const auto& [row, value] : columns_[column])
-        rest.emplace_back(row, factor * value);
-    normalize(rest);
-    return rest.empty();
+        rest->add(row, factor * value);
+    bool is_zero = true;
+    rest->take([&](Index, std::int64_t) { is_zero = false; });
+    return is_zero;
   }
 
   std::vector<Class_vector> columns_; // of the matrix: rows and values
   std::vector<Step> steps_;
   std::vector<Index> step_of_row_;
+  mutable Workspace_pool<Values> values_;
+  mutable Workspace_pool<Sparse_sum<std::int64_t>> sums_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -39,15 +39,21 @@ inline void put(std::vector<Crossing_loop>& loops, std::vector<Flat_pair>& pairs
     pairs[k] = {std::move(loops[2 * k]), std::move(loops[2 * k + 1])};
 }
 
+// Which of loops are new, and named so.
+inline std::vector<char> new_ones(const std::vector<Index>& before) {
+  std::vector<char> is_new;
+  for(Index b : before)
+    is_new.push_back(b == no_index);
+  return is_new;
+}
+
 // Shortens pairs that `before` names; the loops that are replaced have no name afterwards.
 inline void shorten(Class_shortening& shortening,
                     std::vector<Flat_pair>& pairs,
                     const std::vector<char>& is_pure,
+                    const std::vector<char>& is_new,
                     std::vector<Index>& before) {
   std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
-  std::vector<char> is_new;
-  for(Index b : before)
-    is_new.push_back(b == no_index);
   const std::vector<Index> sources = shortening.run(loops, is_pure, is_new);
   put(loops, pairs);
   const std::vector<Index> first = before;
@@ -64,30 +70,31 @@ relate_all(const Relate_pairs& relate, const std::vector<Flat_pair>& pairs, Time
   return relations;
 }
 
-// Makes loops short before they are purified, if that is better. What is not pure after all is as
-// it was at first.
+// Short loops that bound come first, where there are many. What is not pure after all is as it was
+// at first. Returns what loops were before; `is_made` are those that have been put together.
 inline std::vector<Index> purify(Class_shortening& shortening,
                                  Purification& purification,
-                                 const Relate_pairs& relate,
-                                 Time_budget& time,
-                                 const std::vector<Flat_pair>& first,
+                                 const Loop_relations& relations,
                                  std::vector<Flat_pair>& pairs,
-                                 Loop_relations& relations) {
-  purification.choose(pairs, relations);
-  if(!purification.is_too_long())
-    return purification.make(pairs);
+                                 std::vector<char>& is_made) {
   std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
-  if(!shortening.run_roughly(loops, purification.is_pure()))
-    return purification.make(pairs);
+  const std::optional<Loop_sides> sides = shortening.take_bounding_loops(loops, relations);
+  if(!sides) {
+    std::vector<Index> before = purification.run(pairs, relations);
+    is_made = new_ones(before);
+    return before;
+  }
+  const std::vector<Flat_pair> first = pairs;
   put(loops, pairs);
-  relations = relate_all(relate, pairs, time);
-  purification.choose(pairs, relations);
+  purification.choose(pairs, relations.components, *sides);
   std::vector<Index> before = purification.make(pairs);
-  for(std::size_t k = 0; k < pairs.size(); ++k)
-    if(!purification.is_pure()[k]) {
-      pairs[k] = first[k];
-      before[2 * k] = before[2 * k + 1] = no_index;
-    }
+  is_made = new_ones(before);
+  for(Index i = 0; i < before.size(); ++i)
+    if(!purification.is_pure()[i / 2]) {
+      pairs[i / 2] = first[i / 2];
+      before[i] = i;
+    } else if(before[i] != no_index)
+      before[i] = shortening.sources()[before[i]];
   return before;
 }
 
@@ -150,13 +157,14 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     const std::vector<Flat_pair> first = pairs;
     progress.advance(first_linking);
     Purification purification(execution, mesh, options.do_shorten, progress, coarse);
+    std::vector<char> is_made;
     std::vector<Index> before =
-        options.do_shorten ? right_classes::purify(*shortening, purification, relate,
-                                                   progress.time(), first, pairs, *relations)
-                           : purification.run(pairs, *relations);
+        options.do_shorten
+            ? right_classes::purify(*shortening, purification, *relations, pairs, is_made)
+            : purification.run(pairs, *relations);
     is_any_loose = is_any_loose || purification.is_any_loose();
     if(options.do_shorten)
-      right_classes::shorten(*shortening, pairs, purification.is_pure(), before);
+      right_classes::shorten(*shortening, pairs, purification.is_pure(), is_made, before);
     progress.advance(second_linking);
     if(!right_classes::is_any_new(before))
       relations->renumber(before);
@@ -173,7 +181,8 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     std::vector<Index> before(2 * pairs.size(), Index(0));
     shortening->forget_pairs();
     if(options.do_shorten)
-      right_classes::shorten(*shortening, pairs, std::vector<char>(pairs.size(), 0), before);
+      right_classes::shorten(*shortening, pairs, std::vector<char>(pairs.size(), 0),
+                             std::vector<char>(before.size(), 0), before);
     match_loops(execution, mesh, pairs);
     relations.reset();
   }

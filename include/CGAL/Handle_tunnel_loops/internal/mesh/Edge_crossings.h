@@ -16,11 +16,13 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Vertex_subset.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Sparse_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -88,6 +90,17 @@ public:
     if(const auto [edge, sign] = edge_between(u, v); edge != no_index)
       for(const Term& t : terms(edge))
         f(t.loop, sign * t.number);
+  }
+
+  /// the intersection numbers of a closed curve with the loops, without zeros, by loop.
+  std::vector<std::pair<Index, std::int64_t>> numbers(const Crossing_loop& curve,
+                                                      Sparse_sum<std::int64_t>& sum) const {
+    for_each_left_edge(curve, [&](Index u, Index v) {
+      for_each_term(u, v, [&](Index loop, int number) { sum.add(loop, number); });
+    });
+    std::vector<std::pair<Index, std::int64_t>> numbers;
+    sum.take([&](Index loop, std::int64_t number) { numbers.emplace_back(loop, number); });
+    return numbers;
   }
 
 private:
