@@ -124,7 +124,11 @@ private:
     std::vector<std::optional<Loop_candidate>> made(walks.size());
     for_each_index(
         execution_, walks.size(),
-        [&](std::size_t i) { made[i] = candidate(walks[i].vertices, classes); }, 1);
+        [&](std::size_t i) {
+          if(progress_.goes_on() && progress_.time().is_any_left())
+            made[i] = candidate(walks[i].vertices, classes);
+        },
+        1);
     progress_.throw_if_interrupted();
     std::vector<Loop_candidate> candidates;
     for(std::optional<Loop_candidate>& c : made)
@@ -175,28 +179,32 @@ private:
       for(std::size_t i = 0; i < roots.size(); i += step)
         if(is_done[roots[i]] == 0)
           some.push_back(roots[i]);
-      std::vector<std::optional<Bounding_walks::Finding>> found(some.size());
-      for_each_index(
-          execution_, some.size(),
-          [&](std::size_t i) {
-            if(progress_.goes_on() && progress_.time().is_any_left())
-              found[i] = searches.borrow()->search(some[i]);
-          },
-          16);
-      for(std::optional<Bounding_walks::Finding>& f : found)
-        if(f) {
-          ++searched;
-          complete += f->is_complete;
-          for(Index v : f->vertices)
-            is_done[v] = 1;
-          std::move(f->walks.begin(), f->walks.end(), std::back_inserter(walks));
-        }
+      for(Bounding_walks::Finding& f : search_from(some, searches)) {
+        ++searched;
+        complete += f.is_complete;
+        for(Index v : f.vertices)
+          is_done[v] = 1;
+        std::move(f.walks.begin(), f.walks.end(), std::back_inserter(walks));
+      }
       keep_shortest(walks);
       if(step == widest && complete < least_complete * searched)
         return {};
     }
     are_there_all_ = searched == complete;
     return walks;
+  }
+
+  std::vector<Bounding_walks::Finding> search_from(const std::vector<Index>& roots,
+                                                   Workspace_pool<Bounding_walks>& searches) const {
+    std::vector<Bounding_walks::Finding> found(roots.size());
+    for_each_index(
+        execution_, roots.size(),
+        [&](std::size_t i) {
+          if(progress_.goes_on() && progress_.time().is_any_left())
+            found[i] = searches.borrow()->search(roots[i]);
+        },
+        16);
+    return found;
   }
 
   static void keep_shortest(std::vector<Bounding_walk>& walks) {

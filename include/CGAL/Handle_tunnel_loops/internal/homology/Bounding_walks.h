@@ -69,7 +69,7 @@ public:
   {
     std::vector<Bounding_walk> walks; ///< through it: the shortest of few classes of each kind
     std::vector<Index> vertices;      ///< through which none needs to be looked for now
-    bool is_complete;                 ///< there are walks of both kinds
+    bool is_complete = false;         ///< there are walks of both kinds
   };
 
   Finding search(Index root) {

@@ -25,6 +25,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/max_cardinality_matching.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -152,7 +153,10 @@ public:
                              ? skew
                              : sum_of_multiples(row, loops_with, sum);
       sides.columns_[i] = sides.rows_[i];
-      if(!add_multiple(sides.columns_[i], -1, skew))
+      const bool fits =
+          std::none_of(sides.rows_[i].begin(), sides.rows_[i].end(),
+                       [](const auto& number) { return is_too_large(number.second); });
+      if(!fits || !add_multiple(sides.columns_[i], -1, skew))
         return std::nullopt;
     }
     return sides;
