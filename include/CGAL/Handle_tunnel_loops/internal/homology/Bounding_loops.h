@@ -144,12 +144,7 @@ private:
       return std::nullopt;
     Crossing_loop loop = ground_.tightened(execution_, walk);
     Class_vector numbers = ground_.crossings().numbers(loop, *sums_.borrow());
-    std::optional<Class_vector> coordinates = classes.class_with(numbers);
-    if(!coordinates)
-      return std::nullopt;
-    const double length_of_loop = length(ground_.mesh(), loop);
-    return Loop_candidate{length_of_loop, std::move(loop), std::move(numbers),
-                          *std::move(coordinates)};
+    return Loop_candidate::of(ground_.mesh(), std::move(loop), std::move(numbers), classes);
   }
 
   // On the ground, at the nearer ends of the edges that the loops cross.

@@ -193,17 +193,15 @@ struct Loop_candidate
   Crossing_loop loop;
   Class_vector numbers, coordinates; ///< with and in the basis
 
-  /// nothing where numbers are too large.
+  /// \p numbers are those with the basis, and lengths those on \p mesh. Nothing where numbers are
+  /// too large.
   static std::optional<Loop_candidate>
-  of(const Flat_mesh& mesh, const Loop_classes& classes, Crossing_loop loop) {
-    Loop_candidate c = {
-        CGAL::Handle_tunnel_loops::internal::length(mesh, loop), std::move(loop), {}, {}};
-    c.numbers = classes.numbers(c.loop);
-    std::optional<Class_vector> coordinates = classes.class_with(c.numbers);
+  of(const Flat_mesh& mesh, Crossing_loop loop, Class_vector numbers, const Loop_classes& classes) {
+    std::optional<Class_vector> coordinates = classes.class_with(numbers);
     if(!coordinates)
       return std::nullopt;
-    c.coordinates = std::move(*coordinates);
-    return c;
+    const double length = CGAL::Handle_tunnel_loops::internal::length(mesh, loop);
+    return Loop_candidate{length, std::move(loop), std::move(numbers), *std::move(coordinates)};
   }
 
   friend bool operator<(const Loop_candidate& a, const Loop_candidate& b) {

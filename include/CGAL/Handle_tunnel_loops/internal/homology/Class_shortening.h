@@ -538,7 +538,8 @@ private:
   }
 
   std::optional<Candidate> candidate(Crossing_loop loop) const {
-    return Candidate::of(mesh_, *classes_, std::move(loop));
+    Class_vector numbers = classes_->numbers(loop);
+    return Candidate::of(mesh_, std::move(loop), std::move(numbers), *classes_);
   }
 
   // Shorter sums of two loops, at least one of which is fresh. Returns whether there are any.

@@ -79,12 +79,7 @@ public:
 
   /// those of the class with these coordinates.
   Class_vector numbers_of_class(const Class_vector& a) const {
-    Class_vector numbers;
-    for(const auto& [i, factor] : a)
-      for(const auto& [j, value] : rows_[i])
-        numbers.emplace_back(j, factor * value);
-    normalize(numbers);
-    return numbers;
+    return sum_of_multiples(a, rows_, *sums_.borrow());
   }
 
   /// the coordinates of the class with these intersection numbers, unless they are too large.
@@ -182,17 +177,6 @@ private:
       : rows_(signs.size())
       , columns_(signs.size())
       , signs_(signs) {}
-
-  static Class_vector sum_of_multiples(const Class_vector& factors,
-                                       const std::vector<Class_vector>& vectors,
-                                       Sparse_sum<std::int64_t>& sum) {
-    for(const auto& [i, factor] : factors)
-      for(const auto& [k, value] : vectors[i])
-        sum.add(k, factor * value);
-    Class_vector result;
-    sum.take([&](Index k, std::int64_t value) { result.emplace_back(k, value); });
-    return result;
-  }
 
   // V less its transpose is J or -J on a component. If it is neither, the surface crosses itself.
   void find_signs(const Loop_classes& classes, const Loop_relations& relations) {

@@ -150,6 +150,18 @@ inline bool add_multiple(Class_vector& v, std::int64_t factor, const Class_vecto
   return fits;
 }
 
+/// the sum of multiples of vectors, by their indices.
+inline Class_vector sum_of_multiples(const Class_vector& factors,
+                                     const std::vector<Class_vector>& vectors,
+                                     Sparse_sum<std::int64_t>& sum) {
+  for(const auto& [i, factor] : factors)
+    for(const auto& [k, value] : vectors[i])
+      sum.add(k, factor * value);
+  Class_vector result;
+  sum.take([&](Index k, std::int64_t value) { result.emplace_back(k, value); });
+  return result;
+}
+
 /*!
 A sparse system of linear equations with an integer matrix of determinant 1 or -1, which has an
 integer solution for each integer right side. It is factorized modulo a large prime: such a matrix

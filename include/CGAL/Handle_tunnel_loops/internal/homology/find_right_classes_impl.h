@@ -75,6 +75,7 @@ relate_all(const Relate_pairs& relate, const std::vector<Flat_pair>& pairs, Time
 inline std::vector<Index> purify(Class_shortening& shortening,
                                  Purification& purification,
                                  const Loop_relations& relations,
+                                 const std::vector<Flat_pair>& first,
                                  std::vector<Flat_pair>& pairs,
                                  std::vector<char>& is_made) {
   std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
@@ -84,7 +85,6 @@ inline std::vector<Index> purify(Class_shortening& shortening,
     is_made = new_ones(before);
     return before;
   }
-  const std::vector<Flat_pair> first = pairs;
   put(loops, pairs);
   purification.choose(pairs, relations.components, *sides);
   std::vector<Index> before = purification.make(pairs);
@@ -160,7 +160,7 @@ CGAL_HTL_CORE std::optional<Loop_relations> find_right_classes(Execution executi
     std::vector<char> is_made;
     std::vector<Index> before =
         options.do_shorten
-            ? right_classes::purify(*shortening, purification, *relations, pairs, is_made)
+            ? right_classes::purify(*shortening, purification, *relations, first, pairs, is_made)
             : purification.run(pairs, *relations);
     is_any_loose = is_any_loose || purification.is_any_loose();
     if(options.do_shorten)
