@@ -659,7 +659,7 @@ def test_unpacking_can_be_interrupted(tool):
         process.send_signal(signal.SIGINT)
         begin = time.monotonic()
         assert process.wait(60) == 130, process.stderr.read()
-        assert time.monotonic() - begin < 30  # also if the machine is busy
+        assert time.monotonic() - begin < 10
     assert os.listdir(tool.folder) == ["bomb.off.gz"]
 
 

@@ -17,6 +17,7 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -36,15 +37,20 @@ namespace {
 }
 
 std::string read_to_the_end(std::FILE* stream, std::size_t expected_size, const std::string& name) {
+  constexpr std::size_t piece = std::size_t(1) << 24; // to look for interrupts in between
   std::string content;
   std::size_t size = 0;
-  // One byte more than expected, so that a file that has not grown is read in one go.
-  content.resize(expected_size + 1);
-  while(const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream)) {
+  // One byte more than expected, so that a file that has not grown needs no more room.
+  content.reserve(expected_size + 1);
+  for(;;) {
+    if(size == content.capacity())
+      content.reserve(2 * size);
+    content.resize((std::min)(content.capacity(), size + piece));
+    const std::size_t n = std::fread(&content[size], 1, content.size() - size, stream);
     throw_if_interrupted();
+    if(n == 0)
+      break;
     size += n;
-    if(size == content.size())
-      content.resize(2 * size);
   }
   if(std::ferror(stream)) // of a folder, for example, which opens on some systems
     fail(name);
