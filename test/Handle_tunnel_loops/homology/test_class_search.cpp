@@ -103,6 +103,12 @@ TEST(Class_exchange, KeepsCoordinates) {
     std::vector<Class_vector> members; // in the first basis
     for(Index i = 0; i < n; ++i)
       members.push_back({{i, 1}});
+    struct Seen
+    {
+      Class_vector a, x;
+      Index exchanges_before;
+    };
+    std::vector<Seen> seen;
     for(int round = 0; round < 30; ++round) {
       const std::vector<Class_vector> rows = wound_up(random, n, 10, 3);
       const Class_vector a = rows[random.below(n)];
@@ -112,6 +118,9 @@ TEST(Class_exchange, KeepsCoordinates) {
       for(const auto& [i, factor] : *x)
         ASSERT_TRUE(add_multiple(sum, factor, members[i]));
       EXPECT_EQ(sum, a);
+      for(const Seen& s : seen)
+        EXPECT_EQ(exchange.coordinates(s.x, s.exchanges_before), exchange.coordinates(s.a));
+      seen.push_back({a, *x, exchange.number_of_exchanges()});
       for(Index i = 0; i < n; ++i) {
         EXPECT_EQ(exchange.numbers(i), classes.numbers_of_class(members[i]));
         EXPECT_EQ(exchange.crossing(classes.numbers_of_class(a), i),

@@ -9,6 +9,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Bounding_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -124,6 +126,11 @@ public:
         Execution(), loops, [](Mesh::Face_index) { return std::size_t(0); }, 1);
     linker.link(Execution());
     return linker.take_relations();
+  }
+
+  Loop_sides sides(const std::vector<Flat_pair>& pairs) const {
+    return {std::make_shared<const Loop_classes>(Execution(), flat_, Purification::loops_of(pairs)),
+            relate(pairs)};
   }
 
   void expect_pure(const std::vector<Flat_pair>& pairs) const {
@@ -260,12 +267,12 @@ TEST(Loop_sides, AreThoseOfAnyOtherBasis) {
     const std::vector<Flat_pair> first = surface.wound_up_pairs(random, 6),
                                  second = surface.wound_up_pairs(random, 12);
     const std::vector<Crossing_loop> loops = Purification::loops_of(second);
-    const Loop_classes classes(Execution(), surface.flat(), Purification::loops_of(first)),
-        other_classes(Execution(), surface.flat(), loops);
-    const std::optional<Loop_sides> sides = Loop_sides::of_basis(
-        Loop_sides(classes, surface.relate(first)), coordinates_of(loops, classes), other_classes);
+    const Loop_sides known = surface.sides(first), other = surface.sides(second);
+    const std::optional<Loop_sides> sides =
+        known.of_basis(coordinates_of(loops, known.classes()),
+                       std::make_shared<const Loop_classes>(Execution(), surface.flat(), loops));
     ASSERT_TRUE(sides);
-    expect_same_sides(*sides, Loop_sides(other_classes, surface.relate(second)), loops.size());
+    expect_same_sides(*sides, other, loops.size());
   }
 }
 
@@ -296,11 +303,10 @@ TEST(Bounding_loops, TakeThePlaceOfLongerOnes) {
     Quiet_progress progress;
     const std::optional<Loop_sides> sides =
         Bounding_loops(Execution(), surface.flat(), prepared.ground, progress)
-            .take(loops, surface.relate(pairs), sources);
+            .take(loops, surface.sides(pairs), sources);
     for(std::size_t k = 0; k < pairs.size(); ++k)
       pairs[k] = {loops[2 * k], loops[2 * k + 1]};
-    const Loop_classes classes(Execution(), surface.flat(), loops); // asserts that they are a basis
-    const Loop_sides known(classes, surface.relate(pairs));
+    const Loop_sides known = surface.sides(pairs); // asserts that they are a basis
     if(sides)
       expect_same_sides(*sides, known, loops.size());
     std::size_t number_of_new = 0;
@@ -327,11 +333,13 @@ TEST(Bounding_loops, TakeNoPlaceWhereNoSideIsKnown) {
   Loop_relations relations = surface.relate(pairs);
   relations.problems.emplace(3, "a problem");
   std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
+  const Loop_sides sides(std::make_shared<const Loop_classes>(Execution(), surface.flat(), loops),
+                         relations);
   std::vector<Index> sources(loops.size(), 0);
   Prepared_ground prepared(surface.flat());
   Quiet_progress progress;
   EXPECT_FALSE(Bounding_loops(Execution(), surface.flat(), prepared.ground, progress)
-                   .take(loops, relations, sources));
+                   .take(loops, sides, sources));
   EXPECT_EQ(sources, std::vector<Index>(loops.size(), 0));
 }
 
@@ -348,7 +356,7 @@ TEST(Right_classes, AreFoundFromVeryLongLoops) {
   std::vector<Index> sources(loops.size(), 0);
   Prepared_ground prepared(surface.flat());
   EXPECT_TRUE(Bounding_loops(Execution(), surface.flat(), prepared.ground, progress)
-                  .take(loops, surface.relate(wound_up), sources));
+                  .take(loops, surface.sides(wound_up), sources));
   std::vector<std::vector<Crossing_loop>> answers;
   for(const Execution execution : {Execution(), Execution::parallel()}) {
     std::vector<Flat_pair> pairs = wound_up;

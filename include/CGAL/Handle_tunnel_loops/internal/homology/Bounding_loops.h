@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/homology/Bounding_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
@@ -61,42 +62,65 @@ public:
       , progress_(progress)
       , sums_([] { return std::make_unique<Sparse_sum<std::int64_t>>(); }) {}
 
-  /// changes loops, which are a basis with these relations, and makes `sources` of those that have
-  /// been replaced `no_index`. Returns their sides; nothing, and nothing is changed, if there are
+  /// changes loops, which are a basis with these sides, and makes `sources` of those that have been
+  /// replaced `no_index`. Returns their sides then; nothing, and nothing is changed, if there are
   /// none to be replaced, or a number became too large.
-  std::optional<Loop_sides> take(std::vector<Crossing_loop>& loops,
-                                 const Loop_relations& relations,
-                                 std::vector<Index>& sources) {
-    const Loop_classes classes(execution_, mesh_, loops);
-    const Loop_sides sides(classes, relations);
+  std::optional<Loop_sides>
+  take(std::vector<Crossing_loop>& loops, const Loop_sides& sides, std::vector<Index>& sources) {
     if(!sides.is_any_decided())
       return std::nullopt;
-    ground_.prepare(execution_, {}, loops, classes.edge_crossings(), weights(classes, sides));
-    std::vector<Crossing_loop> changed = loops;
-    std::vector<char> is_new(loops.size(), 0);
-    const std::vector<Class_vector> coordinates =
-        exchange(classes, candidates(classes), changed, is_new);
-    if(std::find(is_new.begin(), is_new.end(), 1) == is_new.end())
+    const Loop_classes& classes = sides.classes();
+    ground_.prepare(execution_, {}, loops, classes.edge_crossings(), weights(sides));
+    Changing_basis basis(mesh_, classes, loops);
+    exchange(candidates(classes), basis);
+    if(std::find(basis.is_new.begin(), basis.is_new.end(), 1) == basis.is_new.end())
       return std::nullopt;
-    std::optional<Loop_sides> result =
-        Loop_sides::of_basis(sides, coordinates, Loop_classes(execution_, mesh_, changed));
-    if(result) {
-      loops = std::move(changed);
+    std::optional<Loop_sides> changed =
+        sides.of_basis(basis.exchange.members(),
+                       std::make_shared<const Loop_classes>(execution_, mesh_, basis.loops));
+    if(changed) {
+      loops = std::move(basis.loops);
       for(std::size_t i = 0; i < loops.size(); ++i)
-        sources[i] = is_new[i] ? no_index : sources[i];
+        sources[i] = basis.is_new[i] ? no_index : sources[i];
     }
-    return result;
+    return changed;
   }
 
   /// whether through each vertex along the loops a short one of each kind was found.
   bool are_there_all() const { return are_there_all_; }
 
 private:
+  struct Changing_basis
+  {
+    Changing_basis(const Flat_mesh& mesh,
+                   const Loop_classes& classes,
+                   const std::vector<Crossing_loop>& all)
+        : loops(all)
+        , is_new(all.size(), 0)
+        , exchange(classes) {
+      for(const Crossing_loop& loop : loops)
+        lengths.push_back(length(mesh, loop));
+    }
+
+    std::vector<Crossing_loop> loops;
+    std::vector<double> lengths;
+    std::vector<char> is_new; // by loop
+    Class_exchange exchange;
+  };
+
+  // What was seen of a candidate.
+  struct Prospect
+  {
+    std::optional<Class_vector> coordinates; // at that time; none if they are too large
+    Crossing_loop loop;                      // on the mesh, if it could take a place
+  };
+
   // Of the sums of walks, by what they cross.
-  static std::vector<Class_sums> weights(const Loop_classes& classes, const Loop_sides& sides) {
+  static std::vector<Class_sums> weights(const Loop_sides& sides) {
     // Coordinates of the parts of a random class are to be below the prime. What is larger makes
     // sums that are never zero.
     constexpr int bits = 24;
+    const Loop_classes& classes = sides.classes();
     std::mt19937_64 random;
     std::vector<Class_sums> weights(classes.size());
     for(const auto part : {&Class_sums::across, &Class_sums::along}) {
@@ -211,34 +235,53 @@ private:
                 walks.end());
   }
 
-  // Returns the coordinates of all loops then in the basis before.
-  std::vector<Class_vector> exchange(const Loop_classes& classes,
-                                     std::vector<Loop_candidate> candidates,
-                                     std::vector<Crossing_loop>& loops,
-                                     std::vector<char>& is_new) const {
-    std::vector<double> lengths;
-    for(const Crossing_loop& loop : loops)
-      lengths.push_back(length(mesh_, loop));
-    Class_exchange exchange(classes);
-    for(Loop_candidate& c : candidates) {
-      const std::optional<Class_vector> x = exchange.coordinates(c.coordinates);
-      if(!x || replaceable(*x, ground_.least_on_mesh(c.length), lengths).empty())
-        continue;
-      Crossing_loop loop = ground_.on_mesh(execution_, std::move(c.loop));
-      const double length_of_loop = length(mesh_, loop);
-      const std::vector<Index> places = replaceable(*x, length_of_loop, lengths);
-      if(places.empty())
-        continue;
-      const Index i = places.front();
-      exchange.replace(i, c.coordinates, *x);
-      loops[i] = std::move(loop);
-      lengths[i] = length_of_loop;
-      is_new[i] = 1;
+  // The shortest first.
+  void exchange(std::vector<Loop_candidate> candidates, Changing_basis& basis) const {
+    constexpr std::size_t part = 256; // is looked at side by side
+    std::vector<Prospect> prospects(part);
+    for(std::size_t first = 0; first < candidates.size(); first += part) {
+      const std::size_t number = (std::min)(part, candidates.size() - first);
+      const Index exchanges_before = basis.exchange.number_of_exchanges();
+      for_each_index(
+          execution_, number,
+          [&](std::size_t i) { prospects[i] = prospect(candidates[first + i], basis); }, 1);
+      for(std::size_t i = 0; i < number; ++i)
+        try_candidate(candidates[first + i], prospects[i], exchanges_before, basis);
     }
-    std::vector<Class_vector> coordinates;
-    for(Index i = 0; i < loops.size(); ++i)
-      coordinates.push_back(exchange.member(i));
-    return coordinates;
+  }
+
+  Prospect prospect(const Loop_candidate& c, const Changing_basis& basis) const {
+    Prospect p = {basis.exchange.coordinates(c.coordinates), {}};
+    if(p.coordinates && is_short_enough(c, *p.coordinates, basis))
+      p.loop = ground_.on_mesh(execution_, c.loop);
+    return p;
+  }
+
+  bool is_short_enough(const Loop_candidate& c,
+                       const Class_vector& coordinates,
+                       const Changing_basis& basis) const {
+    return !replaceable(coordinates, ground_.least_on_mesh(c.length), basis.lengths).empty();
+  }
+
+  void try_candidate(const Loop_candidate& c,
+                     Prospect& p,
+                     Index exchanges_before,
+                     Changing_basis& basis) const {
+    if(p.coordinates)
+      p.coordinates = basis.exchange.coordinates(std::move(*p.coordinates), exchanges_before);
+    if(!p.coordinates || !is_short_enough(c, *p.coordinates, basis))
+      return;
+    if(p.loop.empty()) // it could not take any place before
+      p.loop = ground_.on_mesh(execution_, c.loop);
+    const double length_of_loop = length(mesh_, p.loop);
+    const std::vector<Index> places = replaceable(*p.coordinates, length_of_loop, basis.lengths);
+    if(places.empty())
+      return;
+    const Index i = places.front();
+    basis.exchange.replace(i, c.coordinates, *p.coordinates);
+    basis.loops[i] = std::move(p.loop);
+    basis.lengths[i] = length_of_loop;
+    basis.is_new[i] = 1;
   }
 
   Execution execution_;

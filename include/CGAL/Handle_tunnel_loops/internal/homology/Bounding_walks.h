@@ -92,7 +92,7 @@ private:
   static constexpr std::size_t most_vertices = 200;
   static constexpr float slack = 1.5f; // to be looked for beyond the shortest
   static constexpr int most_classes = 4;
-  static constexpr float very_near = 0.1f; // of the length of a walk
+  static constexpr float very_near = 0.2f; // of the length of a walk
 
   // The shortest way to a vertex.
   struct Way

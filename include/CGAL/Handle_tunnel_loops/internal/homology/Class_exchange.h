@@ -241,9 +241,12 @@ public:
       members_.push_back({{i, 1}});
   }
 
-  /// the coordinates in the present basis of a class that is given in the first one, unless a
-  /// number is too large.
-  std::optional<Class_vector> coordinates(Class_vector a) const {
+  /// how often a loop was replaced such that coordinates change.
+  Index number_of_exchanges() const { return static_cast<Index>(exchanges_.size()); }
+
+  /// the coordinates in the present basis of a class that is given in the one there was after so
+  /// many exchanges, unless a number is too large.
+  std::optional<Class_vector> coordinates(Class_vector a, Index exchanges_before = 0) const {
     // Of exchanges, the first at each coordinate that comes after those that have been looked at.
     std::priority_queue<Index, std::vector<Index>, std::greater<Index>> to_do;
     const auto look_at = [&](Index i, Index next) {
@@ -253,8 +256,8 @@ public:
         to_do.push(*e);
     };
     for(const auto& c : a)
-      look_at(c.first, 0);
-    for(Index next = 0; !to_do.empty();) {
+      look_at(c.first, exchanges_before);
+    for(Index next = exchanges_before; !to_do.empty();) {
       const Index number = to_do.top();
       to_do.pop();
       if(number < next)
@@ -308,8 +311,8 @@ public:
     return found;
   }
 
-  /// a member, by its coordinates in the first basis.
-  const Class_vector& member(Index i) const { return members_[i]; }
+  /// by their coordinates in the first basis.
+  const std::vector<Class_vector>& members() const { return members_; }
 
   /// the intersection numbers of a member with the first basis.
   Class_vector numbers(Index member) const { return classes_.numbers_of_class(members_[member]); }

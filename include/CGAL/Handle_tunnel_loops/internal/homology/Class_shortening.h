@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Bounding_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_exchange.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Neighbor_sums.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Search_ground.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
@@ -74,18 +75,18 @@ public:
 
   /// puts short loops that bound in the place of others, where there are so many that not each can
   /// be searched for; see `Bounding_loops`. The loops of pairs need not cross once after that.
-  /// Returns what is known of the sides then, or nothing if no loop has been replaced.
+  /// Returns the sides of all loops then, or nothing if none has been replaced.
   std::optional<Loop_sides> take_bounding_loops(std::vector<Crossing_loop>& loops,
-                                                const Loop_relations& relations) {
-    if(loops.size() < many_loops || visits() <= 0. ||
-       !start(loops, std::vector<char>(loops.size(), 0)))
+                                                const Loop_sides& sides) {
+    take(loops);
+    if(loops.size() < many_loops || visits() <= 0. || !start(std::vector<char>(loops.size(), 0)))
       return std::nullopt;
     Bounding_loops bounding(execution_, mesh_, coarse_ground_ ? *coarse_ground_ : fine_ground_,
                             progress_);
-    std::optional<Loop_sides> sides = bounding.take(loops, relations, sources_);
+    std::optional<Loop_sides> changed = bounding.take(loops, sides, sources_);
     forget_searches();
-    is_the_rest_short_ = sides && bounding.are_there_all();
-    return sides;
+    is_the_rest_short_ = changed && bounding.are_there_all();
+    return changed;
   }
 
   /// by loop the number that it had before what was last done, or `no_index` if it is new.
@@ -98,7 +99,8 @@ public:
                          const std::vector<char>& is_pure,
                          const std::vector<char>& is_new) {
     is_pure_ = &is_pure;
-    if(!start(loops, is_new))
+    take(loops);
+    if(!start(is_new))
       return std::move(sources_);
     if(is_the_rest_short_)
       is_fresh_ = is_new;
@@ -124,19 +126,22 @@ public:
   }
 
 private:
-  // Returns whether there is any time.
-  bool start(std::vector<Crossing_loop>& loops, const std::vector<char>& is_new) {
+  void take(std::vector<Crossing_loop>& loops) {
     loops_ = &loops;
     sources_.resize(loops.size());
     std::iota(sources_.begin(), sources_.end(), Index(0));
+  }
+
+  // Returns whether there is any time.
+  bool start(const std::vector<char>& is_new) {
     if(!progress_.time().is_any_left())
       return false;
     measure();
     prepare_search(is_new);
-    patience_.assign(loops.size(), 1.);
-    is_known_.assign(loops.size(), 0);
-    is_open_.assign(loops.size(), 0);
-    is_fresh_.assign(loops.size(), 1);
+    patience_.assign(is_new.size(), 1.);
+    is_known_.assign(is_new.size(), 0);
+    is_open_.assign(is_new.size(), 0);
+    is_fresh_.assign(is_new.size(), 1);
     overestimate_ = 1.;
     return true;
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_lattice.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
@@ -58,29 +59,24 @@ public:
       , do_tighten_(do_tighten)
       , progress_(progress) {}
 
+  /// of loops that are a basis.
+  Loop_sides sides(const std::vector<Crossing_loop>& loops, const Loop_relations& relations) const {
+    return {std::make_shared<const Loop_classes>(execution_, mesh_, loops), relations};
+  }
+
   /// changes the pairs. Returns, for each handle and tunnel in turn, the number that the loop had
   /// before, or `no_index` if it is new.
   std::vector<Index> run(std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
-    choose(pairs, relations);
-    return make(pairs);
-  }
-
-  /// chooses the classes of the loops, of which some are there.
-  void choose(const std::vector<Flat_pair>& pairs, const Loop_relations& relations) {
-    take(pairs);
-    choose(relations.components, Loop_sides(*classes_, relations));
+    return run(pairs, relations.components, sides(loops_of(pairs), relations));
   }
 
   /// the same, if the sides of the loops are known; \p components are those of the loops.
-  void choose(const std::vector<Flat_pair>& pairs,
-              const std::vector<std::size_t>& components,
-              const Loop_sides& sides) {
-    take(pairs);
-    choose(components, sides);
-  }
-
-  /// puts the loops together that have been chosen; see `run()`.
-  std::vector<Index> make(std::vector<Flat_pair>& pairs) {
+  std::vector<Index> run(std::vector<Flat_pair>& pairs,
+                         const std::vector<std::size_t>& components,
+                         std::optional<Loop_sides> sides) {
+    loops_ = loops_of(pairs);
+    choose(components, *sides);
+    sides.reset(); // they are large
     std::vector<Index> sources(loops_.size());
     std::iota(sources.begin(), sources.end(), Index(0));
     for(const Basis& basis : bases_)
@@ -130,16 +126,11 @@ private:
     std::vector<Member> handles, tunnels;
   };
 
-  void take(const std::vector<Flat_pair>& pairs) {
-    loops_ = loops_of(pairs);
-    classes_ = std::make_unique<Loop_classes>(execution_, mesh_, loops_);
+  void choose(const std::vector<std::size_t>& components, const Loop_sides& sides) {
+    std::map<std::size_t, std::vector<Index>> pairs_of_component;
     weights_.clear();
     for(const Crossing_loop& loop : loops_)
       weights_.push_back(double(loop.size()));
-  }
-
-  void choose(const std::vector<std::size_t>& components, const Loop_sides& sides) {
-    std::map<std::size_t, std::vector<Index>> pairs_of_component;
     is_pure_.assign(loops_.size() / 2, 0);
     for(Index k = 0; k < is_pure_.size(); ++k)
       if(sides.is_decided(2 * k))
@@ -148,13 +139,12 @@ private:
     projected_.clear();
     for(auto& [component, numbers] : pairs_of_component)
       choose(std::move(numbers), sides);
-    classes_.reset();
   }
 
   void choose(std::vector<Index> numbers, const Loop_sides& sides) {
     std::optional<std::vector<Member>> handles = basis(numbers, sides, true);
     std::optional<std::vector<Member>> tunnels = basis(numbers, sides, false);
-    if(!handles || !tunnels || !pair_up(*handles, *tunnels))
+    if(!handles || !tunnels || !pair_up(*handles, *tunnels, sides.classes()))
       return;
     for(Index k : numbers)
       is_pure_[k] = 1;
@@ -193,7 +183,8 @@ private:
         if(bounds(i, inside))
           members.push_back(member(i));
         else if(!bounds(i, !inside)) {
-          std::optional<Class_vector> part = classes_->class_with(sides.numbers_of_part(i, inside));
+          std::optional<Class_vector> part =
+              sides.classes().class_with(sides.numbers_of_part(i, inside));
           if(!part)
             return std::nullopt;
           // Modulo the loops that bound already.
@@ -233,7 +224,9 @@ private:
   double work() const { return work_by_face * double(mesh_.number_of_faces()); }
 
   // Puts the tunnels into the order of the handles. Returns `false` if a number became too large.
-  bool pair_up(const std::vector<Member>& handles, std::vector<Member>& tunnels) const {
+  bool pair_up(const std::vector<Member>& handles,
+               std::vector<Member>& tunnels,
+               const Loop_classes& classes) const {
     const Index n = static_cast<Index>(handles.size());
     std::unordered_map<Index, Class_vector> tunnels_with; // by loop
     for(Index j = 0; j < n; ++j)
@@ -241,7 +234,7 @@ private:
         tunnels_with[loop].emplace_back(j, factor);
     std::vector<Class_vector> crossings(n); // of a handle with the tunnels
     for(Index i = 0; i < n; ++i) {
-      for(const auto& [loop, number] : classes_->numbers_of_class(handles[i].coordinates))
+      for(const auto& [loop, number] : classes.numbers_of_class(handles[i].coordinates))
         for(const auto& [j, factor] : tunnels_with[loop])
           crossings[i].emplace_back(j, number * factor);
       normalize(crossings[i]);
@@ -341,8 +334,7 @@ private:
   std::vector<double> weights_;          // of them
   std::vector<Crossing_loop> projected_; // on the coarse mesh, once one is to be made there
   bool is_any_loose_ = false;
-  std::unique_ptr<Loop_classes> classes_; // while classes are chosen
-  std::vector<Basis> bases_;              // by component, where they are known
+  std::vector<Basis> bases_; // by component, where they are known
   std::vector<char> is_pure_;
 };
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/homology/Class_shortening.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Loop_classes.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Loop_sides.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/Purification.h>
 #include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
@@ -79,15 +80,11 @@ inline std::vector<Index> purify(Class_shortening& shortening,
                                  std::vector<Flat_pair>& pairs,
                                  std::vector<char>& is_made) {
   std::vector<Crossing_loop> loops = Purification::loops_of(pairs);
-  const std::optional<Loop_sides> sides = shortening.take_bounding_loops(loops, relations);
-  if(!sides) {
-    std::vector<Index> before = purification.run(pairs, relations);
-    is_made = new_ones(before);
-    return before;
-  }
+  std::optional<Loop_sides> sides = purification.sides(loops, relations);
+  if(std::optional<Loop_sides> changed = shortening.take_bounding_loops(loops, *sides))
+    sides = std::move(changed);
   put(loops, pairs);
-  purification.choose(pairs, relations.components, *sides);
-  std::vector<Index> before = purification.make(pairs);
+  std::vector<Index> before = purification.run(pairs, relations.components, std::move(sides));
   is_made = new_ones(before);
   for(Index i = 0; i < before.size(); ++i)
     if(!purification.is_pure()[i / 2]) {
