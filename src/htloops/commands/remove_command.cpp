@@ -48,12 +48,15 @@ std::pair<Mended_mesh, Vertex_properties> read(const Remove_options& options) {
 }
 
 Answer read_basis(const Mesh& mesh, const std::string& file) {
+  Bound_loops loops = read_loops_on(mesh, file);
   Answer answer;
-  answer.pairs = std::move(read_loops_on(mesh, file).pairs);
+  answer.pairs = std::move(loops.pairs);
   answer.statistics.genus = answer.pairs.size();
-  answer.certificate = certify(mesh, answer.pairs, Basis_kind::PURE, false);
-  if(!answer.certificate.closed_on_surface || !answer.certificate.basis)
-    require_none(file, lines_of(answer.certificate.failure));
+  answer.certificate = certify(mesh, answer.pairs, loops.basis_kind, true);
+  // To cut along a tunnel loop would fill the hole, and the other way around.
+  const Certificate& c = answer.certificate;
+  if(!c.closed_on_surface || !c.basis || !c.types)
+    require_none(file, lines_of(c.failure));
   return answer;
 }
 
