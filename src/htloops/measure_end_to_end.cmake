@@ -45,6 +45,12 @@ foreach(row IN LISTS rows)
   expect_equal("${count}" 34)
 endforeach()
 
+# For a person, the least of each mesh.
+run(3 measure torus.off sphere.off missing.off)
+expect_match("${output}" "largest +thinnest +narrowest +seconds")
+expect_match("${output}" "torus.off( +[^ ]+)+% +0\\.7[0-9]* +1\\.[12][0-9]* +[0-9.]+\n")
+expect_match("${output}" "sphere.off( +[0-9]+)+( +-)+ +[0-9.]+\n")
+
 # What its removal would take: a section of the tube twice, or its hole.
 run(0 measure torus.off --removal -o torus.json --csv torus.csv --jsonl torus.jsonl)
 expect_match("${output}" "cut area +cut removes +fill area +fill adds")

@@ -172,6 +172,17 @@ std::string padded(const std::string& name, int width) {
   return name + std::string(size < wanted ? wanted - size : 0, ' ');
 }
 
+// In words; a dash if there is none.
+std::string least_diameter(const Pair_listing& listing,
+                           std::optional<Listed_ball> Listed_measure::*ball) {
+  std::optional<double> least;
+  for(const Listed_pair& pair : listing)
+    if(pair.measure && (*pair.measure).*ball)
+      if(const double diameter = ((*pair.measure).*ball)->diameter; !least || diameter < *least)
+        least = diameter;
+  return least ? formatted("%.4g", *least) : "-";
+}
+
 } // namespace
 
 std::string as_cell(const std::string& text) {
@@ -217,13 +228,16 @@ void write_rows(Text& out, const Mesh_line& line, Row_kind kind) {
 
 void write_mesh_line(Text& out, const Mesh_line& line) { out << text_of(json_of(line)) << '\n'; }
 
-std::string header_of_lines(const std::vector<std::string>& mesh_files) {
-  return padded("mesh", width_of(mesh_files)) + formatted("  %9s  %6s  %6s  %6s  %9s  %9s  %8s\n",
-                                                          "faces", "comp.", "bound.", "genus",
-                                                          "smallest", "largest", "seconds");
+std::string header_of_lines(const std::vector<std::string>& mesh_files, Row_kind kind) {
+  return padded("mesh", width_of(mesh_files)) +
+         formatted("  %9s  %6s  %6s  %6s  %9s  %9s", "faces", "comp.", "bound.", "genus",
+                   "smallest", "largest") +
+         (has_measures(kind) ? formatted("  %9s  %9s", "thinnest", "narrowest") : "") +
+         formatted("  %8s\n", "seconds");
 }
 
-std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files) {
+std::string
+row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files, Row_kind kind) {
   const std::string name = padded(printable(line.mesh_file), width_of(mesh_files));
   if(line.exit_code != 0)
     return name + formatted("  no answer (exit code %d)\n", line.exit_code);
@@ -233,10 +247,16 @@ std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_f
   const auto size = [&](Pair_listing::const_iterator pair) {
     return pair == line.listing.end() ? std::string("-") : formatted("%.3g%%", 100. * pair->size);
   };
-  return name + formatted("  %9zu  %6zu  %6zu  %6zu  %9s  %9s  %8.2f\n", line.number_of_faces,
-                          statistics.number_of_components, statistics.number_of_boundaries,
-                          statistics.genus, size(least).c_str(), size(most).c_str(),
-                          line.read_seconds + line.answer.total_seconds);
+  return name +
+         formatted("  %9zu  %6zu  %6zu  %6zu  %9s  %9s", line.number_of_faces,
+                   statistics.number_of_components, statistics.number_of_boundaries,
+                   statistics.genus, size(least).c_str(), size(most).c_str()) +
+         (has_measures(kind)
+              ? formatted("  %9s  %9s",
+                          least_diameter(line.listing, &Listed_measure::thickness).c_str(),
+                          least_diameter(line.listing, &Listed_measure::clear_width).c_str())
+              : "") +
+         formatted("  %8.2f\n", line.read_seconds + line.answer.total_seconds);
 }
 
 } // namespace htloops

@@ -69,10 +69,11 @@ void write_rows(Text& out, const Mesh_line& line, Row_kind kind);
 void write_mesh_line(Text& out, const Mesh_line& line);
 
 /// the names of the columns of the rows that follow, for a person.
-std::string header_of_lines(const std::vector<std::string>& mesh_files);
+std::string header_of_lines(const std::vector<std::string>& mesh_files, Row_kind kind);
 
-/// a row for a mesh; as wide as the names of the files want it.
-std::string row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files);
+/// a row for a mesh; as wide as the names of the files want it. With measures, the least of each.
+std::string
+row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files, Row_kind kind);
 
 } // namespace htloops
 

@@ -67,6 +67,7 @@ class Line_printer
 public:
   Line_printer(const Loops_options& options, Line_files& lines)
       : options_(options)
+      , kind_(options.kind_of_rows())
       , lines_(lines) {}
 
   void add(std::size_t position, Mesh_line line) {
@@ -93,14 +94,15 @@ private:
       exit_code_ = line.exit_code;
     lines_.add(line);
     if(!options_.is_quiet && !is_output_taken())
-      show_text((next_ == 0 ? header_of_lines(options_.mesh_files) : "") +
-                    row_of(line, options_.mesh_files),
+      show_text((next_ == 0 ? header_of_lines(options_.mesh_files, kind_) : "") +
+                    row_of(line, options_.mesh_files, kind_),
                 false);
     if(line.exit_code != 0)
       std::fputs(("htloops: " + printable_lines(line.error) + "\n").c_str(), stderr);
   }
 
   const Loops_options& options_;
+  Row_kind kind_;
   Line_files& lines_;
   std::mutex mutex_;
   std::vector<std::optional<Mesh_line>> waiting_ =
