@@ -67,7 +67,6 @@ class Line_printer
 public:
   Line_printer(const Loops_options& options, Line_files& lines)
       : options_(options)
-      , kind_(options.kind_of_rows())
       , lines_(lines) {}
 
   void add(std::size_t position, Mesh_line line) {
@@ -93,16 +92,16 @@ private:
     if(line.exit_code != 0 && number_of_failures_++ == 0)
       exit_code_ = line.exit_code;
     lines_.add(line);
+    const Row_kind kind = options_.kind_of_rows();
     if(!options_.is_quiet && !is_output_taken())
-      show_text((next_ == 0 ? header_of_lines(options_.mesh_files, kind_) : "") +
-                    row_of(line, options_.mesh_files, kind_),
+      show_text((next_ == 0 ? header_of_lines(options_.mesh_files, kind) : "") +
+                    row_of(line, options_.mesh_files, kind),
                 false);
     if(line.exit_code != 0)
       std::fputs(("htloops: " + printable_lines(line.error) + "\n").c_str(), stderr);
   }
 
   const Loops_options& options_;
-  Row_kind kind_;
   Line_files& lines_;
   std::mutex mutex_;
   std::vector<std::optional<Mesh_line>> waiting_ =
