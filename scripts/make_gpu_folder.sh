@@ -15,7 +15,8 @@ folder=${1:-htloops-gpu}
 shift || true
 
 programs=(bin/htloops test/Handle_tunnel_loops/test_gpu
-  test/Handle_tunnel_loops/test_fronts benchmark/Handle_tunnel_loops/benchmark_device)
+  test/Handle_tunnel_loops/test_fronts benchmark/Handle_tunnel_loops/benchmark_device
+  benchmark/Handle_tunnel_loops/benchmark_threads)
 cmake -S . -B build-gpu -DCMAKE_BUILD_TYPE=Release -DCMAKE_CUDA_FLAGS=-lineinfo \
   -DCMAKE_EXE_LINKER_FLAGS=-Wl,--disable-new-dtags -DCMAKE_BUILD_RPATH='$ORIGIN/../lib' "$@"
 cmake --build build-gpu --parallel "$(nproc)" --target "${programs[@]##*/}"
@@ -39,10 +40,10 @@ objdump -T "$folder"/bin/* "$folder"/lib/* | grep -o 'GLIBC_[0-9.]*' | sort -uV 
 
 cat >"$folder/run.sh" <<'RUN'
 #!/usr/bin/env bash
-# Runs the tests and the benchmark on this machine's device; what they print goes to the folder
+# Runs the tests and the benchmarks on this machine's device; what they print goes to the folder
 # results/, or to the one named by the environment variable RESULTS. Nothing runs for ever.
 #
-#   run.sh [tests|sanitizers|benchmark|knobs|profile]...
+#   run.sh [tests|sanitizers|benchmark|threads|knobs|profile]...
 set -euo pipefail
 cd "$(dirname "$0")"
 export HTL_REQUIRE_GPU=1
@@ -105,6 +106,9 @@ for what in "$@"; do
       done
       rm "$results/gyroid.off"
       ;;
+    threads) # of the host, beside the device
+      run threads 300 bin/benchmark_threads
+      ;;
     knobs)
       run knobs 300 bin/benchmark_device -n 1 --knobs --no-host
       ;;
@@ -121,7 +125,7 @@ for what in "$@"; do
       fi
       ;;
     *)
-      echo "usage: $0 [tests|sanitizers|benchmark|knobs|profile]..." >&2
+      echo "usage: $0 [tests|sanitizers|benchmark|threads|knobs|profile]..." >&2
       exit 2
       ;;
   esac
