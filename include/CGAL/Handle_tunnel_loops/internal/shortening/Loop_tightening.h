@@ -181,9 +181,9 @@ public:
   /// root of n; only on ugly ones there are loops that need more than the share.
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
 
-  /// Stops when a round gains less than a thousandth part of the length and changes no side, at the
-  /// latest after the given number of rounds, of a long loop once more of its arcs. A loop that
-  /// becomes a point is empty.
+  /// Stops when a round gains less than a thousandth part of the length and changes no side, when
+  /// many rounds gain next to nothing, as along a cylinder, and at the latest after the given number
+  /// of rounds, of a long loop once more of its arcs. A loop that becomes a point is empty.
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     CGAL_expensive_precondition(are_consecutive(mesh_, loop));
     remove_backtracks(loop);
@@ -201,6 +201,10 @@ private:
   // Of a long loop, arcs of about so many crossings are tightened by themselves for some rounds.
   static constexpr std::size_t size_of_arc = 512, rounds_of_arc = 32, fewest_arcs = 4;
   static constexpr double gain_worth_a_turn = 1e-4;
+
+  // So many rounds of a whole loop have to gain that much.
+  static constexpr std::size_t rounds_of_look = 64;
+  static constexpr double gain_worth_a_look = 1e-6;
 
   // Tightens a long loop between points that are held for some rounds, then between others, until
   // that gains little: in all threads, and the same in any number of them. The rounds of the whole
@@ -265,6 +269,7 @@ private:
       }
     };
     int idle_rounds = 0;
+    double length_at_look = best_length;
     // Where many points coincide, going around them may seem to gain without end.
     const std::size_t largest_size = 8 * loop.size() + 64,
                       largest_work = 2 * maximum_number_of_rounds * (loop.size() + 64);
@@ -282,6 +287,11 @@ private:
       const bool is_measured = round % 8 == 0 || round == maximum_number_of_rounds;
       if(is_measured)
         keep_if_best();
+      if(round % rounds_of_look == 0) {
+        if(best_length > (1. - gain_worth_a_look) * length_at_look)
+          break;
+        length_at_look = best_length;
+      }
       const bool changed = path_.change_sides_of_loop();
       idle_rounds = changed || current < 0.999 * previous_length ? 0 : idle_rounds + 1;
       if(idle_rounds >= most_idle_rounds() && !is_measured)
