@@ -20,17 +20,22 @@ namespace mesh_families {
 namespace generators = CGAL::Handle_tunnel_loops::generators;
 using generators::Soup;
 
-/// makes a surface of about so many faces.
+/// makes surfaces of about so many faces; where each is another by chance, several.
 struct Family
 {
   std::string name;
-  std::function<Soup(std::size_t)> make;
+  std::function<Soup(std::size_t faces, unsigned int seed)> make;
+  unsigned int number_of_seeds = 1;
 };
 
-inline Soup make(const std::string& name, std::size_t faces, std::size_t genus, std::size_t parts) {
+inline Soup make(const std::string& name,
+                 std::size_t faces,
+                 std::size_t genus,
+                 std::size_t parts,
+                 unsigned int seed) {
   for(const generators::Kind& kind : generators::kinds())
     if(kind.name == name) {
-      generators::Request request = {faces, genus, 1};
+      generators::Request request = {faces, genus, seed};
       request.parts = parts;
       return kind.make(request);
     }
@@ -39,14 +44,20 @@ inline Soup make(const std::string& name, std::size_t faces, std::size_t genus, 
 
 /// a family of a kind, of the same genus at all sizes.
 inline Family of_genus(const std::string& name, std::size_t genus, std::size_t parts = 1) {
-  return {name + " of genus " + std::to_string(genus),
-          [=](std::size_t faces) { return make(name, faces, genus, parts); }};
+  return {name + " of genus " + std::to_string(genus), [=](std::size_t faces, unsigned int seed) {
+            return make(name, faces, genus, parts, seed);
+          }};
 }
 
 /// a family of a kind, with a handle for each so many faces.
-inline Family with_handles(const std::string& name, std::size_t faces_per_handle) {
+inline Family with_handles(const std::string& name,
+                           std::size_t faces_per_handle,
+                           unsigned int number_of_seeds = 1) {
   return {name + ", a handle per " + std::to_string(faces_per_handle) + " faces",
-          [=](std::size_t faces) { return make(name, faces, faces / faces_per_handle, 1); }};
+          [=](std::size_t faces, unsigned int seed) {
+            return make(name, faces, faces / faces_per_handle, 1, seed);
+          },
+          number_of_seeds};
 }
 
 inline Soup scaled(Soup soup, double factor) {
@@ -58,7 +69,7 @@ inline Soup scaled(Soup soup, double factor) {
 
 /// spheres of so many faces, one in another.
 inline Soup nested_spheres(std::size_t faces, std::size_t faces_of_each) {
-  const Soup sphere = make("sphere", faces_of_each, 0, 1);
+  const Soup sphere = make("sphere", faces_of_each, 0, 1, 1);
   std::vector<Soup> shells;
   for(std::size_t i = 0; i < faces / sphere.triangles.size(); ++i)
     shells.push_back(scaled(sphere, double(i + 1)));
@@ -67,7 +78,7 @@ inline Soup nested_spheres(std::size_t faces, std::size_t faces_of_each) {
 
 /// tubes in each other, each with so many faces, around the same circle.
 inline Soup nested_tori(std::size_t faces, std::size_t faces_of_each) {
-  const Soup torus = make("torus", faces_of_each, 1, 1);
+  const Soup torus = make("torus", faces_of_each, 1, 1, 1);
   const std::size_t number = faces / torus.triangles.size();
   std::vector<Soup> shells;
   for(std::size_t i = 0; i < number; ++i) {
@@ -86,7 +97,7 @@ inline Soup nested_tori(std::size_t faces, std::size_t faces_of_each) {
 }
 
 inline Soup many_tori(std::size_t faces, std::size_t faces_of_each) {
-  const Soup torus = make("torus", faces_of_each, 1, 1);
+  const Soup torus = make("torus", faces_of_each, 1, 1, 1);
   return generators::disjoint_union(std::vector<Soup>(faces / torus.triangles.size(), torus));
 }
 
@@ -100,11 +111,12 @@ inline const std::vector<Family>& families() {
       of_genus("bars", 20, 3),
       with_handles("bars", 40),
       with_handles("chain", 400),
-      {"nested spheres", [](std::size_t faces) { return nested_spheres(faces, 500); }},
-      {"nested tori", [](std::size_t faces) { return nested_tori(faces, 500); }},
-      {"many tori", [](std::size_t faces) { return many_tori(faces, 200); }},
-      with_handles("random", 1000),
-      with_handles("random", 100),
+      {"nested spheres",
+       [](std::size_t faces, unsigned int) { return nested_spheres(faces, 500); }},
+      {"nested tori", [](std::size_t faces, unsigned int) { return nested_tori(faces, 500); }},
+      {"many tori", [](std::size_t faces, unsigned int) { return many_tori(faces, 200); }},
+      with_handles("random", 1000, 8),
+      with_handles("random", 100, 8),
       with_handles("sponge", 60),
       with_handles("gyroid", 1000),
       with_handles("lattice", 700),

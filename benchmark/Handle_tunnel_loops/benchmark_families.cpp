@@ -5,7 +5,8 @@
 //   benchmark_families [-n RUNS] [--faces N,N,...] [--limit SECONDS] [--only FAMILY]
 //                      [--command COMMAND] [--times]
 //
-// Times are those of the processor, of one thread, the least of the runs. `cut`, `dual`, `remove`
+// Times are those of the processor, of one thread, the least of the runs; of random surfaces, the
+// mean over several, as one may take three times as long as another. `cut`, `dual`, `remove`
 // and `check` are measured beyond finding the loops; `heights` is the Reeb graph of the z axis. A
 // command that takes longer than the limit is not tried on larger meshes of its family. Prints a
 // table of exponents and one of the times of the largest meshes, in brackets where these are not
@@ -122,12 +123,12 @@ double measure(const Command& command, const Mesh& mesh, const Pairs& pairs, int
 // What one command takes on the meshes of a family.
 struct Times
 {
-  std::vector<std::pair<std::size_t, double>> by_faces;
+  std::vector<std::pair<double, double>> by_faces;
 
   double exponent() const {
     double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
     for(const auto& [faces, seconds] : by_faces) {
-      const double u = std::log(double(faces)), v = std::log(seconds);
+      const double u = std::log(faces), v = std::log(seconds);
       n += 1., x += u, y += v, xx += u * u, xy += u * v;
     }
     return (n * xy - x * y) / (n * xx - x * x);
@@ -136,22 +137,49 @@ struct Times
 
 using Row = std::map<std::string, Times>;
 
+// A mesh of a family, and its loops.
+struct Surface
+{
+  Mesh mesh;
+  Pairs pairs;
+};
+
+std::vector<Surface> surfaces_of(const mesh_families::Family& family, std::size_t faces) {
+  std::vector<Surface> surfaces(family.number_of_seeds);
+  for(unsigned int i = 0; i < surfaces.size(); ++i) {
+    auto& [mesh, pairs] = surfaces[i];
+    mesh = mesh_of<Mesh>(family.make(faces, i + 1));
+    CGAL::handle_tunnel_loops<CGAL::Parallel_if_available_tag>(mesh, std::back_inserter(pairs));
+  }
+  return surfaces;
+}
+
+// The mean of `f` over surfaces.
+template <typename Function> double mean(const std::vector<Surface>& surfaces, const Function& f) {
+  double sum = 0.;
+  for(const Surface& surface : surfaces)
+    sum += f(surface);
+  return sum / double(surfaces.size());
+}
+
 Row measure(const mesh_families::Family& family, const Wish& wish) {
   Row row;
   std::map<std::string, bool> is_too_slow;
   for(const std::size_t faces : wish.faces) {
-    const Mesh mesh = mesh_of<Mesh>(family.make(faces));
-    Pairs pairs;
-    CGAL::handle_tunnel_loops<CGAL::Parallel_if_available_tag>(mesh, std::back_inserter(pairs));
+    const std::vector<Surface> surfaces = surfaces_of(family, faces);
+    const double mean_faces =
+        mean(surfaces, [](const Surface& s) { return double(s.mesh.number_of_faces()); });
     for(const Command& command : commands) {
       if((!wish.command.empty() && wish.command != command.name) || is_too_slow[command.name])
         continue;
-      const double seconds = measure(command, mesh, pairs, wish.number_of_runs);
+      const double seconds = mean(surfaces, [&](const Surface& s) {
+        return measure(command, s.mesh, s.pairs, wish.number_of_runs);
+      });
       is_too_slow[command.name] = seconds > wish.limit;
-      row[command.name].by_faces.emplace_back(mesh.number_of_faces(), seconds);
+      row[command.name].by_faces.emplace_back(mean_faces, seconds);
       if(wish.print_times)
-        std::fprintf(stderr, "%s, %zu faces, %s: %.4f s\n", family.name.c_str(),
-                     std::size_t(mesh.number_of_faces()), command.name, seconds);
+        std::fprintf(stderr, "%s, %zu faces, %s: %.4f s\n", family.name.c_str(), faces,
+                     command.name, seconds);
     }
   }
   return row;

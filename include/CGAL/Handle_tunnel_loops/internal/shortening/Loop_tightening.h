@@ -182,8 +182,8 @@ public:
   std::size_t share_of_work() const { return 4 * mesh_.number_of_faces(); }
 
   /// Stops when a round gains less than a thousandth part of the length and changes no side, when
-  /// many rounds gain next to nothing, as along a cylinder, and at the latest after the given number
-  /// of rounds, of a long loop once more of its arcs. A loop that becomes a point is empty.
+  /// many rounds gain next to nothing, as along a cylinder, and at the latest after the given
+  /// number of rounds, of a long loop once more of its arcs. A loop that becomes a point is empty.
   void tighten(Crossing_loop& loop, std::size_t maximum_number_of_rounds) {
     CGAL_expensive_precondition(are_consecutive(mesh_, loop));
     remove_backtracks(loop);
