@@ -189,7 +189,9 @@ reeb_graph(const TriangleMesh& tm,
     options.literal_rules = given.literal_rules;
     options.device = given.device;
     options.do_coarsen = given.do_coarsen;
-    options.do_tighten = false; // the diffusion hardly depends on the exact starting curve
+    // The diffusion hardly depends on the exact starting curve.
+    options.do_tighten = false;
+    options.fields_of_refinement = 4;
     const auto nothing = [](Stage) {};
     impl::Progress progress(
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),

@@ -47,7 +47,7 @@ template <typename Backend> struct Pass_context
   const Flat_mesh& mesh;
   Backend& backend;
   Step_coefficients searching; ///< of the fields of the loop passes
-  bool do_tighten;
+  const Pass_options& options;
   Progress& progress;
 
   /// what is found for the loops of a query, while the stage comes from one part of it to another.
@@ -73,10 +73,10 @@ template <typename Backend> struct Pass_context
     return found;
   }
 
-  /// how many updates each of so many loops may take, so that all together cost no more than some
-  /// fields over the mesh: one takes about 23 per vertex, with the largest steps.
-  std::size_t share_of_updates(std::size_t number_of_loops) const {
-    return steps_of(16 * 23, searching) * mesh.number_of_vertices() /
+  /// how many updates each of so many loops may take, so that all together cost no more than so
+  /// many fields over the mesh: one takes about 23 per vertex, with the largest steps.
+  std::size_t share_of_updates(std::size_t number_of_loops, std::uint32_t number_of_fields) const {
+    return steps_of(number_of_fields * 23, searching) * mesh.number_of_vertices() /
                (std::max)(number_of_loops, std::size_t(1)) +
            1;
   }
@@ -99,7 +99,7 @@ template <typename Backend> struct Pass_context
 
   /// tightens a loop, if that is wanted; in the given number of rounds, if there is one.
   template <typename... Rounds> void tighten(Crossing_loop& loop, Rounds... rounds) const {
-    if(do_tighten)
+    if(options.do_tighten)
       Loop_tightening(execution, mesh).tighten(loop, rounds...);
   }
 };
@@ -124,6 +124,11 @@ public:
   }
 
 private:
+  std::size_t share_of_updates(std::size_t number_of_loops) const {
+    constexpr std::uint32_t number_of_fields = 16;
+    return context_.share_of_updates(number_of_loops, number_of_fields);
+  }
+
   // Two fronts for each loop. The loops share a number of updates; those for which that is not
   // enough share it once more. Returns the loops that are left when most would need more than their
   // share, as a sample tells before much is spent.
@@ -132,13 +137,13 @@ private:
     std::vector<Index> sample, others;
     for(Index k = 0; k < contours_.size(); ++k)
       (sharing <= 16 || k % 16 == 0 ? sample : others).push_back(k); // all of a few, at a time
-    std::vector<Index> open = search(sample, context_.share_of_updates(sharing));
+    std::vector<Index> open = search(sample, share_of_updates(sharing));
     if(!others.empty() && 2 * open.size() <= sample.size())
-      others = search(others, context_.share_of_updates(sharing));
+      others = search(others, share_of_updates(sharing));
     open.insert(open.end(), others.begin(), others.end());
     for(; !open.empty() && 2 * open.size() <= sharing;) {
       sharing = open.size();
-      open = search(open, context_.share_of_updates(sharing));
+      open = search(open, share_of_updates(sharing));
     }
     return open;
   }
@@ -249,7 +254,8 @@ private:
 
   void find_candidates() {
     Dual_loop_query query = {tunnels_, index_, true, all_loops(), number_of_candidates};
-    query.number_of_updates = context_.share_of_updates(tunnels_.size());
+    query.number_of_updates =
+        context_.share_of_updates(tunnels_.size(), context_.options.fields_of_refinement);
     for(const Crossing_loop& handle : handles_)
       query.numbers_of_steps.push_back(steps_along(handle));
     std::vector<Dual_walks> found = context_.dual_walks(query, 0., 0.6);
@@ -482,12 +488,8 @@ private:
   }
 
   Pass_context<Backend> context_with(Progress& progress) const {
-    return {execution_.watched_by(progress),
-            mesh_,
-            *backend_,
-            coefficients_for_searching(coefficients_),
-            options_.do_tighten,
-            progress};
+    return {execution_.watched_by(progress),           mesh_,    *backend_,
+            coefficients_for_searching(coefficients_), options_, progress};
   }
 
   Execution execution_;

@@ -33,6 +33,9 @@ struct Pass_options : Solver_options
   bool do_keep_times = false;
   bool is_coarse = false; ///< the mesh, whose lengths are not those of the fine one
 
+  /// All searches of the refinement together may take as long as so many fields over the mesh.
+  std::uint32_t fields_of_refinement = 16;
+
   /// whether more is asked for than loops, so that the initial pass is run without handles, too.
   bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }
 };
