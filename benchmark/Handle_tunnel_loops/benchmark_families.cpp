@@ -6,7 +6,7 @@
 //                      [--command COMMAND] [--times]
 //
 // Times are those of the processor, of one thread, the least of the runs; of random surfaces, the
-// mean over several, as one may take three times as long as another. `cut`, `dual`, `remove`
+// mean over several, as one may take fifteen times as long as another. `cut`, `dual`, `remove`
 // and `check` are measured beyond finding the loops; `heights` is the Reeb graph of the z axis. A
 // command that takes longer than the limit is not tried on larger meshes of its family. Prints a
 // table of exponents and one of the times of the largest meshes, in brackets where these are not
@@ -178,7 +178,7 @@ Row measure(const mesh_families::Family& family, const Wish& wish) {
       is_too_slow[command.name] = seconds > wish.limit;
       row[command.name].by_faces.emplace_back(mean_faces, seconds);
       if(wish.print_times)
-        std::fprintf(stderr, "%s, %zu faces, %s: %.4f s\n", family.name.c_str(), faces,
+        std::fprintf(stderr, "%s, %.0f faces, %s: %.4f s\n", family.name.c_str(), mean_faces,
                      command.name, seconds);
     }
   }
