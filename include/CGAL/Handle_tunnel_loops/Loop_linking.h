@@ -47,7 +47,7 @@ struct Loop_linking
   bool bounds_inside_component = false, bounds_outside_component = false;
 
   /// why the numbers are meaningless, as text, because the surface touches or crosses itself; empty
-  /// if they are valid.
+  /// if they are valid. Of two loops of which neither has valid numbers, none is given.
   std::string problem;
 
   /// Returns whether the loop bounds a surface in the solid; `false` if this is undecided.

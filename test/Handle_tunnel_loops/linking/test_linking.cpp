@@ -6,13 +6,20 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_linking {
@@ -383,6 +390,90 @@ TEST(Surface, ThatIsThereTwiceTouchesItself) {
   EXPECT_EQ(pairs.size(), 2u);
   for(const Loop_linking& l : c.linking)
     EXPECT_NE(l.problem, "");
+}
+
+// ---- many loops, of which those that cross others are not all counted with each other
+
+struct Counted
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::int64_t> numbers; // not zero
+  std::set<std::size_t> problems;
+};
+
+// Loops of a closed surface with one component, by their numbers.
+Counted count(const Mesh& mesh, const Pairs& pairs, const std::vector<std::size_t>& loops) {
+  namespace internal = CGAL::Handle_tunnel_loops::internal;
+  const auto point = get(CGAL::vertex_point, mesh);
+  const auto number = get(boost::vertex_index, mesh);
+  internal::Loop_linker<Mesh, Loop, std::decay_t<decltype(point)>, std::decay_t<decltype(number)>>
+      linker(mesh, point, number);
+  std::vector<const Loop*> pointers;
+  for(std::size_t i : loops)
+    pointers.push_back(i % 2 == 0 ? &pairs[i / 2].handle() : &pairs[i / 2].tunnel());
+  linker.set_loops(
+      internal::Execution(), pointers, [](const auto&) { return 0; }, 1);
+  linker.link(internal::Execution());
+  const auto relations = linker.take_relations();
+  Counted counted;
+  for(const auto& e : relations.linking)
+    counted.numbers[{loops[e.row], loops[e.column]}] = e.value;
+  for(const auto& problem : relations.problems)
+    counted.problems.insert(loops[problem.first]);
+  return counted;
+}
+
+// Numbers and problems from all pairs of groups, each so small that all in it are counted at once.
+// Numbers of two loops with problems are not in `count()`.
+Counted count_in_groups(const Mesh& mesh, const Pairs& pairs, std::size_t group) {
+  Counted all;
+  const std::size_t n = 2 * pairs.size();
+  for(std::size_t a = 0; a < n; a += group)
+    for(std::size_t b = a; b < n; b += group) {
+      std::vector<std::size_t> loops;
+      for(std::size_t begin : std::set<std::size_t>{a, b})
+        for(std::size_t i = begin; i < (std::min)(begin + group, n); ++i)
+          loops.push_back(i);
+      const Counted part = count(mesh, pairs, loops);
+      all.numbers.insert(part.numbers.begin(), part.numbers.end());
+      all.problems.insert(part.problems.begin(), part.problems.end());
+    }
+  for(auto it = all.numbers.begin(); it != all.numbers.end();)
+    it = all.problems.count(it->first.first) != 0 && all.problems.count(it->first.second) != 0
+             ? all.numbers.erase(it)
+             : std::next(it);
+  return all;
+}
+
+// Vertices at a place below `part` of the width are put anywhere.
+Mesh scattered(Mesh mesh, double part) {
+  const auto [low, high] =
+      std::minmax_element(mesh.points().begin(), mesh.points().end(),
+                          [](const auto& p, const auto& q) { return p.x() < q.x(); });
+  const double begin = low->x(), width = high->x() - begin;
+  generators::Random random(5);
+  for(const auto v : mesh.vertices())
+    if(mesh.point(v).x() < begin + part * width) {
+      const auto x = [&] { return random.uniform(0., width); };
+      mesh.point(v) = Mesh::Point(begin - x(), x(), x());
+    }
+  return mesh;
+}
+
+TEST(Surface, ThatCrossesItselfIsToldByAFewLoops) {
+  const Mesh mesh = mesh_of({"multi-torus", {16000, 70, 0}});
+  const Pairs pairs = find_loops(mesh);
+  std::vector<std::size_t> loops(2 * pairs.size());
+  std::iota(loops.begin(), loops.end(), 0);
+  for(const double part : {0., 0.1, 0.4, 1.}) {
+    const Mesh changed = scattered(mesh, part);
+    const Counted at_once = count(changed, pairs, loops);
+    const Counted expected = count_in_groups(changed, pairs, 14);
+    EXPECT_EQ(at_once.problems, expected.problems) << part;
+    EXPECT_EQ(at_once.numbers, expected.numbers) << part;
+    std::cerr << part << " " << at_once.problems.size() << " " << at_once.numbers.size() << "\n";
+    EXPECT_EQ(at_once.problems.empty(), part == 0.);
+    EXPECT_EQ(at_once.numbers.empty(), part == 1.);
+  }
 }
 
 // Random coordinates: whatever comes out, it comes out.

@@ -56,6 +56,10 @@ the copy passes over the pushed walk, by the sense in which they cross.
   and is not crossed; if it is reflex the pushed edge lies between the two faces, and the copy
   passes over it once and under it once.
 - A copy and a walk whose boxes are apart are not linked: nothing is counted of them.
+- Where V less its transpose is not the intersection matrix, the surface crosses itself, and the
+  numbers of both loops mean nothing. Of many loops, a few are counted with all others first, and
+  two that these show to be in vain are not counted with each other: where points are anywhere, all
+  loops are linked with all others.
 
 No number is compared with a tolerance. The lines that may cross are found by a tree of boxes around
 pieces of walks: near linear in the number of lines and of places where one passes over another of a
@@ -80,11 +84,16 @@ public:
   void link(Execution execution) {
     while(!are_touches_decided() && ++number_of_attempts_ < maximum_number_of_attempts)
       points_.see_along(next_direction());
-    add_touches();
-    add_crossings(execution);
+    find_extents(execution);
+    gather_copies(execution);
+    const Pieces pieces = pieces_of_walks(execution);
+    const Sparse_matrix touches =
+        crossings_with_walks([this](std::size_t e) { return is_above(e); });
+    counts_.assign(curves_.outward.size(), Count::LATER);
+    is_in_vain_.assign(curves_.outward.size(), 0);
+    while(choose_loops())
+      count(execution, touches, pieces);
     add_up(execution, linking_);
-    std::sort(contacts_.begin(), contacts_.end());
-    find_defect(execution);
   }
 
   /// what has been computed.
@@ -101,18 +110,25 @@ private:
   static constexpr int maximum_number_of_attempts = 16;
   static constexpr Index most_lines = 16; // of a piece
 
+  // Pieces of the walks: those that are near each other together.
+  struct Pieces
+  {
+    std::vector<Index> begins;
+    Uninitialized_vector<Index> numbers; // in the order of the tree
+    Box_tree<5> tree;
+  };
+
   // ---- intersection numbers
 
   void add_intersections() {
-    intersections_ =
-        crossings_with_walks([](std::size_t) { return true; }, [](Index, Index) { return true; });
+    intersections_ = crossings_with_walks([](std::size_t) { return true; });
     CGAL_postcondition_msg(is_antisymmetric(intersections_),
                            "a copy crosses as often as its loop does");
   }
 
   // How often copies cross walks at the midpoints of some edges.
-  template <typename Is_wanted, typename Is_kept>
-  Sparse_matrix crossings_with_walks(const Is_wanted& is_wanted, const Is_kept& is_kept) const {
+  template <typename Is_wanted>
+  Sparse_matrix crossings_with_walks(const Is_wanted& is_wanted) const {
     Sparse_matrix crossings; // of edges, by copy
     for(std::size_t e = 0; e < curves_.edges.size(); ++e)
       if(is_touched(e) && is_wanted(e))
@@ -120,17 +136,68 @@ private:
           crossings.push_back({copy.column, static_cast<Index>(e), copy.value});
     std::sort(crossings.begin(), crossings.end());
     return product(
-        crossings, [this](Index e) { return curves_.walks.of(e); }, is_kept);
+        crossings, [this](Index e) { return curves_.walks.of(e); },
+        [](Index, Index) { return true; });
   }
 
-  void find_defect(Execution execution) {
-    defect_ = linking_;
-    for(const Matrix_entry& e : linking_)
-      defect_.push_back({e.column, e.row, -e.value});
+  // ---- loops in turn
+
+  // When numbers of a loop with all others are counted, but for those with loops of before.
+  enum class Count : char { LATER, NOW, BEFORE };
+
+  // Of the loops that are asked for and not in vain: some that are spread over all of them; or all
+  // if these are not many more, or if there is no defect yet. Returns whether there are
+  // any.
+  bool choose_loops() {
+    constexpr std::size_t growth = 4;
+    most_at_once_ = most_at_once_ == 0 ? 8 : !defect_.empty() ? growth * most_at_once_ : no_index;
+    std::vector<std::size_t> loops;
+    for(std::size_t i = 0; i < counts_.size(); ++i) {
+      if(counts_[i] == Count::NOW)
+        counts_[i] = Count::BEFORE;
+      if(counts_[i] == Count::LATER && !is_in_vain_[i] &&
+         (curves_.is_asked_for.empty() || curves_.is_asked_for[i]))
+        loops.push_back(i);
+    }
+    const std::size_t step =
+        loops.size() / most_at_once_ >= growth ? loops.size() / most_at_once_ : 1;
+    for(std::size_t k = 0; k < loops.size(); k += step)
+      counts_[loops[k]] = Count::NOW;
+    return !loops.empty();
+  }
+
+  bool is_counted_now(Index i, Index j) const {
+    return counts_[i] != Count::BEFORE && counts_[j] != Count::BEFORE &&
+           (counts_[i] == Count::NOW || counts_[j] == Count::NOW);
+  }
+
+  void count(Execution execution, const Sparse_matrix& touches, const Pieces& pieces) {
+    Sparse_matrix numbers;
+    for(const Matrix_entry& e : touches)
+      if(is_counted_now(e.row, e.column))
+        numbers.push_back({e.row, e.column, e.value * curves_.outward[e.column]});
+    add_crossings(execution, pieces, numbers);
+    std::sort(contacts_.begin(), contacts_.end());
+    contacts_.erase(std::unique(contacts_.begin(), contacts_.end()), contacts_.end());
+    add_up(execution, numbers);
+    add_defect(execution, numbers);
+    linking_.insert(linking_.end(), numbers.begin(), numbers.end());
+  }
+
+  // A loop with a contact may be counted along another walk, and is not given up.
+  void add_defect(Execution execution, const Sparse_matrix& numbers) {
+    Sparse_matrix defect = numbers;
+    for(const Matrix_entry& e : numbers)
+      defect.push_back({e.column, e.row, -e.value});
     for(const Matrix_entry& e : intersections_)
-      if(curves_.is_any_asked_for(e.row, e.column))
-        defect_.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
-    add_up(execution, defect_);
+      if(is_counted_now(e.row, e.column))
+        defect.push_back({e.row, e.column, -curves_.outward[e.row] * e.value});
+    add_up(execution, defect);
+    for(const Matrix_entry& e : defect)
+      is_in_vain_[e.row] = is_in_vain_[e.column] = 1;
+    for(const Contact& contact : contacts_)
+      curves_.for_each_loop_at(contact, [this](Index loop) { is_in_vain_[loop] = 0; });
+    defect_.insert(defect_.end(), defect.begin(), defect.end());
   }
 
   void add_contact(const Contact& contact) {
@@ -191,14 +258,6 @@ private:
     if(reflex == 0 || left == 0 || right == 0)
       add_contact({Contact::no_corner, e});
     return reflex > 0;
-  }
-
-  void add_touches() {
-    linking_ = crossings_with_walks(
-        [this](std::size_t e) { return is_above(e); },
-        [this](Index copy, Index walk) { return curves_.is_any_asked_for(copy, walk); });
-    for(Matrix_entry& e : linking_)
-      e.value *= curves_.outward[e.column];
   }
 
   // ---- places where a copy is seen to cross a walk
@@ -401,25 +460,16 @@ private:
     });
   }
 
-  // Pieces of the walks: those that are near each other together.
-  struct Pieces
-  {
-    std::vector<Index> begins;
-    Uninitialized_vector<Index> numbers; // in the order of the tree
-    Box_tree<5> tree;
-  };
-
-  bool is_asked_for(Index loop) const { return curves_.is_any_asked_for(loop, loop); }
-
-  // Those of walks of which all numbers are asked for, unless that is all of them.
-  Pieces pieces_asked_for(const Pieces& all) const {
+  // Those of walks for whose loops that holds.
+  template <typename Is_wanted>
+  Pieces pieces_where(const Pieces& all, const Is_wanted& is_wanted) const {
     Uninitialized_vector<Index> numbers;
     std::vector<Seen_box> boxes;
-    for(std::size_t i = 0; !curves_.is_asked_for.empty() && i < all.numbers.size(); ++i) {
+    for(std::size_t i = 0; i < all.numbers.size(); ++i) {
       bool is_any = false;
       for(Index e = all.begins[all.numbers[i]]; e < all.begins[all.numbers[i] + 1]; ++e)
         for(const Matrix_entry& walk : curves_.walks.of(e))
-          is_any = is_any || is_asked_for(walk.column);
+          is_any = is_any || is_wanted(counts_[walk.column]);
       if(is_any) {
         numbers.push_back(all.numbers[i]);
         boxes.push_back(all.tree.box(i));
@@ -445,10 +495,9 @@ private:
     return {std::move(begins), std::move(numbers), Box_tree<5>(std::move(sorted))};
   }
 
-  void add_crossings(Execution execution) {
-    find_extents(execution);
-    const Pieces all = pieces_of_walks(execution), some = pieces_asked_for(all);
-    gather_copies(execution);
+  void add_crossings(Execution execution, const Pieces& pieces, Sparse_matrix& numbers) {
+    const Pieces left = pieces_where(pieces, [](Count c) { return c != Count::BEFORE; }),
+                 now = pieces_where(pieces, [](Count c) { return c == Count::NOW; });
     const std::vector<Index> begins = begins_of_pieces(
         copies_begin_.size() - 1, [this](std::size_t i) { return copies_[copies_begin_[i]].loop; });
     const std::vector<Matrix_entry> entries = collect<Matrix_entry>(
@@ -457,14 +506,14 @@ private:
           Sparse_matrix crossed;
           for(std::size_t i = begin; i < end; ++i) {
             execution.look();
-            add_crossings(is_any_asked_for(begins[i], begins[i + 1]) ? all : some, begins[i],
+            add_crossings(is_any_counted_now(begins[i], begins[i + 1]) ? left : now, begins[i],
                           begins[i + 1], crossed);
           }
           add_up(Execution(), crossed);
           return numbers_of_copies(begins[begin], begins[end], crossed);
         },
         256);
-    linking_.insert(linking_.end(), entries.begin(), entries.end());
+    numbers.insert(numbers.end(), entries.begin(), entries.end());
   }
 
   // Of the copies that cut some corners, by how often each of these, once for all its copies, is
@@ -485,15 +534,14 @@ private:
           cuts.push_back({copy.loop, c, copy.number});
     std::sort(cuts.begin(), cuts.end());
     return product(cuts, walks_under, [this](Index copy, Index walk) {
-      return curves_.is_any_asked_for(copy, walk) &&
-             extents_of_copies_[copy].meets(extents_of_walks_[walk]);
+      return is_counted_now(copy, walk) && extents_of_copies_[copy].meets(extents_of_walks_[walk]);
     });
   }
 
-  // Whether all numbers are asked for of any of the copies that cut some corners.
-  bool is_any_asked_for(Index begin, Index end) const {
+  // Whether any of the copies that cut some corners is of a loop whose numbers are counted now.
+  bool is_any_counted_now(Index begin, Index end) const {
     return std::any_of(copies_.begin() + copies_begin_[begin], copies_.begin() + copies_begin_[end],
-                       [this](const Copy& copy) { return is_asked_for(copy.loop); });
+                       [this](const Copy& copy) { return counts_[copy.loop] == Count::NOW; });
   }
 
   // Of the corners of a piece of a copy, with walks.
@@ -559,6 +607,9 @@ private:
   Projected_points points_;
   Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
+  std::vector<Count> counts_;    // by loop
+  std::vector<char> is_in_vain_; // by loop, whether its numbers are known to mean nothing
+  std::size_t most_at_once_ = 0;
   std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
   Uninitialized_vector<Copy> copies_;                        // those of one corner together
   std::vector<Index> copies_begin_;                          // by corner

@@ -108,7 +108,8 @@ public:
   }
 
   /// computes the intersection and the linking numbers; of the latter, if \p is_asked_for is not
-  /// empty, only those of the loops for which it is set, with all.
+  /// empty, only those of the loops for which it is set, with all; and none of two loops whose
+  /// numbers mean nothing.
   void link(Execution execution, std::vector<char> is_asked_for = {}) {
     relations_.is_linked = true;
     is_asked_for_ = std::move(is_asked_for);
@@ -203,6 +204,7 @@ private:
     const bool is_any_avoided = note_problems(numbers, curves);
     note_linked_boundaries();
     drop_boundaries(relations_.linking);
+    drop_meaningless_numbers();
     return is_any_avoided;
   }
 
@@ -258,22 +260,28 @@ private:
       }
   }
 
+  template <typename Predicate>
+  static void drop(Sparse_matrix& matrix, const Predicate& is_of_no_use) {
+    matrix.erase(std::remove_if(matrix.begin(), matrix.end(), is_of_no_use), matrix.end());
+  }
+
   void drop_boundaries(Sparse_matrix& matrix) const {
-    matrix.erase(std::remove_if(matrix.begin(), matrix.end(),
-                                [this](const Matrix_entry& e) {
-                                  return is_boundary(e.row) || is_boundary(e.column);
-                                }),
-                 matrix.end());
+    drop(matrix,
+         [this](const Matrix_entry& e) { return is_boundary(e.row) || is_boundary(e.column); });
+  }
+
+  // Of two loops that have problems, which were not counted for all of them.
+  void drop_meaningless_numbers() {
+    const auto has_problem = [this](Index loop) { return relations_.problems.count(loop) != 0; };
+    drop(relations_.linking,
+         [&](const Matrix_entry& e) { return has_problem(e.row) && has_problem(e.column); });
   }
 
   // How boundary curves lie to each other is not asked for.
   bool is_any_loop_at(const Contact& contact, const Surface_curves& curves) const {
-    const auto is_of_loop = [this](const Matrix_entry& t) { return !is_boundary(t.column); };
-    const auto walks = curves.walks.of(contact.edge), copies = curves.crossings.of(contact.edge);
-    const bool has_corner = contact.corner != Contact::no_corner;
-    return std::any_of(walks.begin(), walks.end(), is_of_loop) ||
-           (has_corner ? !is_boundary(curves.corners[contact.corner].loop)
-                       : std::any_of(copies.begin(), copies.end(), is_of_loop));
+    bool is_any = false;
+    curves.for_each_loop_at(contact, [&](Index loop) { is_any = is_any || !is_boundary(loop); });
+    return is_any;
   }
 
   // The vertices that the edge and the corner share are to be avoided, or all if they share none.
@@ -299,13 +307,7 @@ private:
     const std::string problem = "the surface touches itself at the edge " +
                                 std::to_string(curves.originals[edge.source]) + " - " +
                                 std::to_string(curves.originals[edge.target]);
-    for(const Matrix_entry& walk : curves.walks.of(contact.edge))
-      add_problem(walk.column, problem);
-    if(contact.corner != Contact::no_corner)
-      add_problem(curves.corners[contact.corner].loop, problem);
-    else
-      for(const Matrix_entry& copy : curves.crossings.of(contact.edge))
-        add_problem(copy.column, problem);
+    curves.for_each_loop_at(contact, [&](Index loop) { add_problem(loop, problem); });
   }
 
   const TriangleMesh& tm_;

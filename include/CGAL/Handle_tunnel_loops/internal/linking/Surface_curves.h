@@ -101,6 +101,7 @@ struct Contact
   bool operator<(const Contact& c) const {
     return edge != c.edge ? edge < c.edge : corner < c.corner;
   }
+  bool operator==(const Contact& c) const { return edge == c.edge && corner == c.corner; }
 };
 
 /// What `Linking_numbers` finds.
@@ -286,9 +287,16 @@ struct Surface_curves
   /// by loop, whether its linking numbers with all others are asked for; empty if those of all are.
   std::vector<char> is_asked_for;
 
-  /// whether a linking number of two loops is asked for.
-  bool is_any_asked_for(Index i, Index j) const {
-    return is_asked_for.empty() || is_asked_for[i] || is_asked_for[j];
+  /// calls `f(loop)` for each loop whose walk or copy is at a contact.
+  template <typename Function>
+  void for_each_loop_at(const Contact& contact, const Function& f) const {
+    for(const Matrix_entry& walk : walks.of(contact.edge))
+      f(walk.column);
+    if(contact.corner != Contact::no_corner)
+      f(corners[contact.corner].loop);
+    else
+      for(const Matrix_entry& copy : crossings.of(contact.edge))
+        f(copy.column);
   }
 };
 
