@@ -95,22 +95,24 @@ struct Search_result
   std::size_t candidates = 0, work = 0;
 };
 
+internal::Placed_triangle placed(const Soup& soup, std::size_t i) {
+  internal::Placed_triangle t;
+  t.vertices = soup.triangles[i];
+  for(std::size_t k = 0; k < 3; ++k) {
+    const auto& p = soup.points[t.vertices[k]];
+    t.points[k] = {p[0], p[1], p[2]};
+  }
+  return t;
+}
+
 Search_result search(const Soup& soup) {
-  const auto placed = [&](internal::Index i) {
-    internal::Placed_triangle t;
-    t.vertices = soup.triangles[i];
-    for(std::size_t k = 0; k < 3; ++k) {
-      const auto& p = soup.points[t.vertices[k]];
-      t.points[k] = {p[0], p[1], p[2]};
-    }
-    return t;
-  };
   const internal::Contact_search contacts = contact_search(soup);
   Search_result result;
   contacts.for_each_candidate({}, [&](internal::Index i, internal::Index j) {
     EXPECT_NE(i, j);
     ++result.candidates;
-    result.has_contact = result.has_contact || internal::are_in_contact(placed(i), placed(j));
+    result.has_contact =
+        result.has_contact || internal::are_in_contact(placed(soup, i), placed(soup, j));
   });
   result.work = contacts.work();
   return result;
@@ -166,7 +168,7 @@ TEST(Contact_search, is_what_cgal_says) {
     generators::Random random(seed);
     Soup soup = seed % 12 == 0  ? soup_of(Recipe{"fan", {200, 0, seed}})
                 : seed % 3 == 0 ? sphere_with_hubs(70 + seed, 1 + seed % 4)
-                : seed % 3 == 1 ? layers(5 + seed % 7)
+                : seed % 3 == 1 ? layers(5 + seed % 40)
                                 : soup_of(Recipe{"multi-torus", {900, 1 + seed % 3, seed}});
     const std::size_t number_moved = seed % 4; // some of the points, by a little
     for(std::size_t k = 0; k < number_moved; ++k)
@@ -179,6 +181,34 @@ TEST(Contact_search, is_what_cgal_says) {
   }
   EXPECT_GT(number_that_touch, number / 10);
   EXPECT_LT(number_that_touch, number * 9 / 10 + 1);
+}
+
+// Layers are told apart as a rule, whatever their size; what meets, never.
+TEST(Face_planes, tell_triangles_apart_that_do_not_meet) {
+  generators::Random random(1);
+  for(const double scale : {1e-280, 1e-20, 1., 1e120, 1e306})
+    for(int round = 0; round < 8; ++round) {
+      Soup soup = layers(6);
+      for(auto& point : soup.points)
+        for(double& x : point)
+          x = scale *
+              (x + (round < 4 ? random.uniform(-0.1, 0.1) * round : 0.) + 1e3 * (round % 2));
+      const std::size_t n = soup.triangles.size();
+      const internal::Face_planes planes({}, n, [&](std::size_t i) { return placed(soup, i); });
+      std::size_t number_apart = 0, number_seen = 0;
+      for(std::size_t i = 0; i < n; ++i)
+        for(std::size_t j = 0; j < n; ++j) {
+          const auto s = placed(soup, i), t = placed(soup, j);
+          const bool shares = std::any_of(t.vertices.begin(), t.vertices.end(), [&](auto v) {
+            return std::count(s.vertices.begin(), s.vertices.end(), v) != 0;
+          });
+          const bool is_beside = planes.is_beside(t, i);
+          ASSERT_FALSE(is_beside && (shares || internal::are_in_contact(s, t)));
+          number_apart += !shares && !CGAL::do_intersect(s.triangle(), t.triangle());
+          number_seen += is_beside || planes.is_beside(s, j);
+        }
+      EXPECT_EQ(number_seen > 3 * number_apart / 4, scale < 1e300) << scale << ' ' << round;
+    }
 }
 
 // At a hub, faces are compared by directions alone.
@@ -231,9 +261,12 @@ TEST(Placed_boxes, ends_soon_after_what_is_looked_for) {
   EXPECT_TRUE(count(n / 2));
   EXPECT_FALSE(count(n + 1));
   EXPECT_EQ(number_asked, 3 * n - 2);
-  EXPECT_NEAR(row.crowding(box, 10.), 3., 0.1);
+  const auto one = [](internal::Index, internal::Index) { return 1.; };
+  const auto half = [](internal::Index, internal::Index) { return 0.5; };
+  EXPECT_NEAR(row.crowding(box, 10., one), 3., 0.1);
+  EXPECT_NEAR(row.crowding(box, 10., half), 1.5, 0.05);
   const auto everywhere = [](std::size_t) { return internal::Box<3>{{0., 0., 0.}, {1., 1., 1.}}; };
-  EXPECT_GT(internal::Placed_boxes({}, n, everywhere).crowding(everywhere, 10.), 10.);
+  EXPECT_GT(internal::Placed_boxes({}, n, everywhere).crowding(everywhere, 10., one), 10.);
 }
 
 TEST(Contact_search, ends_soon_after_what_is_looked_for) {

@@ -73,9 +73,11 @@ public:
     });
   }
 
-  /// about how many of these boxes meet one of them, on average: counted for some of them, and no
-  /// further than to \p bound, beyond which the answer is no exact one. The same each time.
-  template <typename Box_of> double crowding(const Box_of& box, double bound) const {
+  /// about how many of these boxes meet one of them, on average, each weighted by `weight(i, j)`:
+  /// counted for some of them, and no further than to \p bound, beyond which the answer is no exact
+  /// one. The same each time.
+  template <typename Box_of, typename Weight>
+  double crowding(const Box_of& box, double bound, const Weight& weight) const {
     constexpr std::size_t number_of_samples = 64;
     const std::size_t step = tree_.size() / number_of_samples + 1;
     double number_of_boxes = 0., number_of_meetings = 0.;
@@ -83,8 +85,8 @@ public:
       number_of_boxes += double((std::min)(group_size, order_.size() - group * group_size));
     const auto is_above_bound = [&] { return number_of_meetings > bound * number_of_boxes; };
     for(std::size_t group = 0; group < tree_.size() && !is_above_bound(); group += step)
-      meets_group(*this, group, 0, box, box, [&](Index, Index) {
-        ++number_of_meetings;
+      meets_group(*this, group, 0, box, box, [&](Index i, Index j) {
+        number_of_meetings += weight(i, j);
         return is_above_bound();
       });
     return number_of_boxes == 0. ? 0. : number_of_meetings / number_of_boxes;

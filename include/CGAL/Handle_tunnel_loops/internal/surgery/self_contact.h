@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Face_planes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Triangle_contact.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/near_pairs.h>
@@ -72,8 +73,27 @@ bool touches_itself(Execution execution,
   };
   const auto box = [&](std::size_t i) { return boxes[i]; };
   const Placed_boxes placed(execution, all.size(), box);
-  if(placed.crowding(box, largest_crowding) <= largest_crowding)
+  constexpr double usual_crowding = 32., largest_crowding_of_planes = 256.;
+  const auto one = [](Index, Index) { return 1.; };
+  if(placed.crowding(box, usual_crowding, one) <= usual_crowding)
     return placed.any_pair(box, are_touching, execution);
+  const Face_planes planes(execution, all.size(), triangle);
+  const auto are_beside = [&](Index i, const Placed_triangle& s, Index j,
+                              const Placed_triangle& t) {
+    return planes.is_beside(t, i) || planes.is_beside(s, j);
+  };
+  // What its plane tells apart is a matter of half the time.
+  const auto cost = [&](Index i, Index j) {
+    return are_beside(i, triangle(i), j, triangle(j)) ? 0.5 : 1.;
+  };
+  if(placed.crowding(box, largest_crowding_of_planes, cost) <= largest_crowding_of_planes)
+    return placed.any_pair(
+        box,
+        [&](Index i, Index j) {
+          const Placed_triangle s = triangle(i), t = triangle(j);
+          return !are_beside(i, s, j, t) && are_in_contact(s, t);
+        },
+        execution);
   return contact_search(execution, all.size(), triangle).any_candidate(execution, are_touching);
 }
 
