@@ -89,6 +89,9 @@ public:
     const Pieces pieces = pieces_of_walks(execution);
     const Sparse_matrix touches =
         crossings_with_walks([this](std::size_t e) { return is_above(e); });
+    number_of_corners_.assign(curves_.outward.size(), 0);
+    for(const Corner& corner : curves_.corners)
+      ++number_of_corners_[corner.loop];
     counts_.assign(curves_.outward.size(), Count::LATER);
     is_in_vain_.assign(curves_.outward.size(), 0);
     while(choose_loops())
@@ -145,9 +148,8 @@ private:
   // When numbers of a loop with all others are counted, but for those with loops of before.
   enum class Count : char { LATER, NOW, BEFORE };
 
-  // Of the loops that are asked for and not in vain: some that are spread over all of them; or all
-  // if these are not many more, or if there is no defect yet. Returns whether there are
-  // any.
+  // Of the loops that are asked for and not in vain: some short ones, spread over all of them; or
+  // all if these are not many more, or if there is no defect yet. Returns whether there are any.
   bool choose_loops() {
     constexpr std::size_t growth = 4;
     most_at_once_ = most_at_once_ == 0 ? 8 : !defect_.empty() ? growth * most_at_once_ : no_index;
@@ -162,8 +164,17 @@ private:
     const std::size_t step =
         loops.size() / most_at_once_ >= growth ? loops.size() / most_at_once_ : 1;
     for(std::size_t k = 0; k < loops.size(); k += step)
-      counts_[loops[k]] = Count::NOW;
+      counts_[shortest_of(loops, k, (std::min)(k + step, loops.size()))] = Count::NOW;
     return !loops.empty();
+  }
+
+  // Whose copy cuts the fewest corners.
+  std::size_t
+  shortest_of(const std::vector<std::size_t>& loops, std::size_t begin, std::size_t end) const {
+    const auto at = [&](std::size_t k) { return loops.begin() + static_cast<std::ptrdiff_t>(k); };
+    return *std::min_element(at(begin), at(end), [this](std::size_t a, std::size_t b) {
+      return number_of_corners_[a] < number_of_corners_[b];
+    });
   }
 
   bool is_counted_now(Index i, Index j) const {
@@ -607,8 +618,9 @@ private:
   Projected_points points_;
   Sparse_matrix linking_, intersections_, defect_; // see `Linking`
   int number_of_attempts_ = 0;
-  std::vector<Count> counts_;    // by loop
-  std::vector<char> is_in_vain_; // by loop, whether its numbers are known to mean nothing
+  std::vector<Index> number_of_corners_; // by loop
+  std::vector<Count> counts_;            // by loop
+  std::vector<char> is_in_vain_;         // by loop, whether its numbers are known to mean nothing
   std::size_t most_at_once_ = 0;
   std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
   Uninitialized_vector<Copy> copies_;                        // those of one corner together
