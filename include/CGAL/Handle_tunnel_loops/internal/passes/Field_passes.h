@@ -125,8 +125,7 @@ public:
 
 private:
   std::size_t share_of_updates(std::size_t number_of_loops) const {
-    constexpr std::uint32_t number_of_fields = 16;
-    return context_.share_of_updates(number_of_loops, number_of_fields);
+    return context_.share_of_updates(number_of_loops, Pass_options::fields_of_tunnels);
   }
 
   // Two fronts for each loop. The loops share a number of updates; those for which that is not

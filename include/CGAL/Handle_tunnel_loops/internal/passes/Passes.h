@@ -33,7 +33,9 @@ struct Pass_options : Solver_options
   bool do_keep_times = false;
   bool is_coarse = false; ///< the mesh, whose lengths are not those of the fine one
 
-  /// All searches of the refinement together may take as long as so many fields over the mesh.
+  /// All searches of the tunnel pass, or of the refinement, together may take as long as so many
+  /// fields over the mesh.
+  static constexpr std::uint32_t fields_of_tunnels = 16;
   std::uint32_t fields_of_refinement = 16;
 
   /// whether more is asked for than loops, so that the initial pass is run without handles, too.

@@ -202,8 +202,8 @@ private:
   static constexpr std::size_t size_of_arc = 512, rounds_of_arc = 32, fewest_arcs = 4;
   static constexpr double gain_worth_a_turn = 1e-4;
 
-  // So many rounds of a whole loop have to gain that much.
-  static constexpr std::size_t rounds_of_look = 64;
+  // So many rounds of a whole loop have to gain that much, as it is measured.
+  static constexpr std::size_t rounds_of_measure = 8, rounds_of_look = 8 * rounds_of_measure;
   static constexpr double gain_worth_a_look = 1e-6;
 
   // Tightens a long loop between points that are held for some rounds, then between others, until
@@ -284,7 +284,7 @@ private:
       const std::size_t start = next_start();
       const double current =
           path_.pull_loop(start, round == 1 ? loop[start].ratio : path_.ratio_of(start));
-      const bool is_measured = round % 8 == 0 || round == maximum_number_of_rounds;
+      const bool is_measured = round % rounds_of_measure == 0 || round == maximum_number_of_rounds;
       if(is_measured)
         keep_if_best();
       if(round % rounds_of_look == 0) {
