@@ -159,8 +159,9 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
     @property
     def linking(self) -> Any:
         """The linking numbers, (2g, 2g): entry (i, j) is the linking number of loop i with loop j pushed
-        outwards off the surface. Loop 2k is handle loop k, loop 2k + 1 is tunnel loop k. A
-        `scipy.sparse.coo_matrix`, or rows, columns and values if SciPy is not installed."""
+        outwards off the surface. Loop 2k is handle loop k, loop 2k + 1 is tunnel loop k. Two loops
+        that are both undecided have none. A `scipy.sparse.coo_matrix`, or rows, columns and values if
+        SciPy is not installed."""
         rows, columns, values = self._whole_record()["linking"]
         try:
             from scipy.sparse import coo_matrix
