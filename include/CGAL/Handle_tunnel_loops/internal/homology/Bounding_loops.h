@@ -149,7 +149,7 @@ private:
     for_each_index(
         execution_, walks.size(),
         [&](std::size_t i) {
-          if(progress_.goes_on() && progress_.time().is_any_left())
+          if(progress_.goes_on())
             made[i] = candidate(walks[i].vertices, classes);
         },
         1);
@@ -219,7 +219,7 @@ private:
     for_each_index(
         execution_, roots.size(),
         [&](std::size_t i) {
-          if(progress_.goes_on() && progress_.time().is_any_left())
+          if(progress_.goes_on())
             found[i] = searches.borrow()->search(roots[i]);
         },
         16);

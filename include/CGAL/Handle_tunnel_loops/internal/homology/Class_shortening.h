@@ -74,13 +74,16 @@ public:
   void forget_pairs() { are_pairs_kept_ = is_the_rest_short_ = false; }
 
   /// puts short loops that bound in the place of others, where there are so many that not each can
-  /// be searched for; see `Bounding_loops`. The loops of pairs need not cross once after that.
-  /// Returns the sides of all loops then, or nothing if none has been replaced.
+  /// be searched for; see `Bounding_loops`. That is done even if no time is left: else loops may be
+  /// a hundred times as long, and what follows takes as much time. The loops of pairs need not
+  /// cross once after that. Returns the sides of all loops then, or nothing if none has been
+  /// replaced.
   std::optional<Loop_sides> take_bounding_loops(std::vector<Crossing_loop>& loops,
                                                 const Loop_sides& sides) {
     take(loops);
-    if(loops.size() < many_loops || visits() <= 0. || !start(std::vector<char>(loops.size(), 0)))
+    if(loops.size() < many_loops || visits() <= 0.)
       return std::nullopt;
+    prepare(std::vector<char>(loops.size(), 0));
     Bounding_loops bounding(execution_, mesh_, coarse_ground_ ? *coarse_ground_ : fine_ground_,
                             progress_);
     std::optional<Loop_sides> changed = bounding.take(loops, sides, sources_);
@@ -100,8 +103,9 @@ public:
                          const std::vector<char>& is_new) {
     is_pure_ = &is_pure;
     take(loops);
-    if(!start(is_new))
+    if(!progress_.time().is_any_left())
       return std::move(sources_);
+    prepare(is_new);
     if(is_the_rest_short_)
       is_fresh_ = is_new;
     // Loops that have just been put together have been seen by nothing, the others by a field, or
@@ -132,10 +136,7 @@ private:
     std::iota(sources_.begin(), sources_.end(), Index(0));
   }
 
-  // Returns whether there is any time.
-  bool start(const std::vector<char>& is_new) {
-    if(!progress_.time().is_any_left())
-      return false;
+  void prepare(const std::vector<char>& is_new) {
     measure();
     prepare_search(is_new);
     patience_.assign(is_new.size(), 1.);
@@ -143,7 +144,6 @@ private:
     is_open_.assign(is_new.size(), 0);
     is_fresh_.assign(is_new.size(), 1);
     overestimate_ = 1.;
-    return true;
   }
 
   using Candidate = Loop_candidate; // of the loops before the round
