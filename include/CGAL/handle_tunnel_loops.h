@@ -116,9 +116,10 @@ loops relative to the mesh need more.
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{the wall time in seconds, at least 0, after which the function stops
       looking for shorter loops in other classes, and stops tightening loops that come from a coarse
-      mesh or that were combined from others. All other work is completed: the passes and the
-      replacement of loops that do not bound are never cut short. The result is therefore certified
-      and bounds on its sides as usual}
+      mesh or that were combined from others. All other work is completed: the passes, the search
+      for short loops that bound where there are many handles, and the replacement of loops that
+      do not bound are never cut short. The result is therefore certified and bounds on its sides
+      as usual}
     \cgalParamType{`double`}
     \cgalParamDefault{infinity}
     \cgalParamExtra{The time is measured as in `Handle_tunnel_loops::Statistics::total_seconds()`

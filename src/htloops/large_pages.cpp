@@ -9,10 +9,11 @@
 
 // Memory of the tool, on Linux. Most of it is arrays of many megabytes, each written once. In pages
 // of 4 kB each page is a fault, which takes a microsecond in a virtual machine: two thirds of the
-// time for a mesh of ten million faces. So large blocks ask for pages of 2 MB, and what is freed is
-// kept. Where the system has no such pages nothing changes.
+// time for a mesh of ten million faces. So large blocks ask for pages of 2 MB, which a system may
+// give or not, and what is freed is kept, unless the user has an own opinion (GLIBC_TUNABLES).
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -30,15 +31,21 @@ void ask_for_large_pages(void* block, std::size_t size) {
   const auto begin = reinterpret_cast<std::uintptr_t>(block);
   const std::uintptr_t first = (begin + size_of_page - 1) / size_of_page * size_of_page;
   const std::uintptr_t last = (begin + size) / size_of_page * size_of_page;
+  const int error = errno; // of the caller; this is a wish, which may fail
   if(first < last)
-    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE); // a wish: it may fail
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  errno = error;
 }
 
 #ifdef __GLIBC__
 // Blocks of up to 32 MB, the most that it takes, are not mapped each for itself.
-const bool is_memory_kept = mallopt(M_MMAP_THRESHOLD, 1 << 25) +
-                                mallopt(M_TRIM_THRESHOLD, 1 << 30) + mallopt(M_TOP_PAD, 1 << 26) ==
-                            3;
+bool keep_memory() {
+  if(sizeof(void*) < 8 || std::getenv("GLIBC_TUNABLES") != nullptr)
+    return false;
+  return mallopt(M_MMAP_THRESHOLD, 1 << 25) == 1 && mallopt(M_TRIM_THRESHOLD, 1 << 30) == 1;
+}
+
+const bool is_memory_kept = keep_memory();
 #endif
 
 } // namespace

@@ -406,6 +406,13 @@ TEST(Maximum_running_time, EndsTheSearchAnywhere) {
     EXPECT_LE(length_after(begin + (end - begin) * i / 8.), longest * (1. + 1e-9));
 }
 
+// Loops that were put together of hundreds of others are not kept for want of time.
+TEST(Maximum_running_time, DoesNotKeepLoopsThatAreWoundUp) {
+  const Mesh mesh = mesh_of({"bars", {6000, 150, 0}});
+  EXPECT_LE(total_length(find_loops(mesh, params::maximum_running_time(0.))),
+            1.1 * total_length(find_loops(mesh)));
+}
+
 TEST(Maximum_running_time, ChangesNothingIfItIsLong) {
   const Mesh mesh = mesh_of(long_search);
   const Pairs expected = find_loops(mesh);

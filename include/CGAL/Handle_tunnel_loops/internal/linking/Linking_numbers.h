@@ -152,7 +152,10 @@ private:
   // all if these are not many more, or if there is no defect yet. Returns whether there are any.
   bool choose_loops() {
     constexpr std::size_t growth = 4;
-    most_at_once_ = most_at_once_ == 0 ? 8 : !defect_.empty() ? growth * most_at_once_ : no_index;
+    if(most_at_once_ == 0)
+      most_at_once_ = 8;
+    else if(most_at_once_ < counts_.size())
+      most_at_once_ = defect_.empty() ? counts_.size() : growth * most_at_once_;
     std::vector<std::size_t> loops;
     for(std::size_t i = 0; i < counts_.size(); ++i) {
       if(counts_[i] == Count::NOW)
@@ -188,14 +191,16 @@ private:
       if(is_counted_now(e.row, e.column))
         numbers.push_back({e.row, e.column, e.value * curves_.outward[e.column]});
     add_crossings(execution, pieces, numbers);
+    contacts_.insert(contacts_.end(), new_contacts_.begin(), new_contacts_.end());
+    new_contacts_.clear();
     std::sort(contacts_.begin(), contacts_.end());
-    contacts_.erase(std::unique(contacts_.begin(), contacts_.end()), contacts_.end());
     add_up(execution, numbers);
     add_defect(execution, numbers);
     linking_.insert(linking_.end(), numbers.begin(), numbers.end());
   }
 
-  // A loop with a contact may be counted along another walk, and is not given up.
+  // A loop with a contact may be counted along another walk, and is not given up. Contacts of two
+  // that are given up are not looked for.
   void add_defect(Execution execution, const Sparse_matrix& numbers) {
     Sparse_matrix defect = numbers;
     for(const Matrix_entry& e : numbers)
@@ -212,9 +217,11 @@ private:
   }
 
   void add_contact(const Contact& contact) {
+    if(std::binary_search(contacts_.begin(), contacts_.end(), contact))
+      return; // found when loops of before were counted
     const std::lock_guard<std::mutex> lock(mutex_);
-    if(contacts_.size() < 1000 + curves_.corners.size() / 16)
-      contacts_.push_back(contact);
+    if(contacts_.size() + new_contacts_.size() < 1000 + curves_.corners.size() / 16)
+      new_contacts_.push_back(contact);
     else
       has_too_many_contacts_ = true;
   }
@@ -478,7 +485,7 @@ private:
     std::vector<Seen_box> boxes;
     for(std::size_t i = 0; i < all.numbers.size(); ++i) {
       bool is_any = false;
-      for(Index e = all.begins[all.numbers[i]]; e < all.begins[all.numbers[i] + 1]; ++e)
+      for(Index e = all.begins[all.numbers[i]]; !is_any && e < all.begins[all.numbers[i] + 1]; ++e)
         for(const Matrix_entry& walk : curves_.walks.of(e))
           is_any = is_any || is_wanted(counts_[walk.column]);
       if(is_any) {
@@ -625,8 +632,9 @@ private:
   std::vector<Extent> extents_of_walks_, extents_of_copies_; // by loop
   Uninitialized_vector<Copy> copies_;                        // those of one corner together
   std::vector<Index> copies_begin_;                          // by corner
-  std::mutex mutex_;                                         // for contacts_
-  std::vector<Contact> contacts_;
+  std::vector<Contact> contacts_;                            // in order
+  std::vector<Contact> new_contacts_;                        // since loops were last counted
+  std::mutex mutex_;                                         // for the new ones
   std::atomic<bool> has_too_many_contacts_{false};
 };
 

@@ -108,8 +108,8 @@ public:
   }
 
   /// computes the intersection and the linking numbers; of the latter, if \p is_asked_for is not
-  /// empty, only those of the loops for which it is set, with all; and none of two loops whose
-  /// numbers mean nothing.
+  /// empty, only those of the loops for which it is set, with all. Of loops with problems, numbers
+  /// with each other are left out, and others may be.
   void link(Execution execution, std::vector<char> is_asked_for = {}) {
     relations_.is_linked = true;
     is_asked_for_ = std::move(is_asked_for);

@@ -101,7 +101,6 @@ struct Contact
   bool operator<(const Contact& c) const {
     return edge != c.edge ? edge < c.edge : corner < c.corner;
   }
-  bool operator==(const Contact& c) const { return edge == c.edge && corner == c.corner; }
 };
 
 /// What `Linking_numbers` finds.

@@ -25,9 +25,9 @@
 /// then arrival times would differ in the last bit, and with them loops. So would they if the
 /// compiler were free to reorder sums: `-ffast-math` is not supported.
 
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error                                                                                             \
-    "Handle_tunnel_loops cannot be compiled with -ffast-math or -Ofast: it tests whether numbers are finite, and relies on the order of sums"
+    "Handle_tunnel_loops cannot be compiled with -ffast-math, -Ofast or -ffinite-math-only: it tests whether numbers are finite, and relies on the order of sums"
 #endif
 
 // The kind of register that floating-point numbers are in, for g++ and clang; on processors that
