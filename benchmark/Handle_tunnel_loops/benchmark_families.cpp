@@ -6,7 +6,7 @@
 //                      [--command COMMAND] [--times]
 //
 // Times are those of the processor, of one thread, the least of the runs; of random surfaces, the
-// mean over several, as one may take fifteen times as long as another. `cut`, `dual`, `remove`
+// mean over several, as one may take several times as long as another. `cut`, `dual`, `remove`
 // and `check` are measured beyond finding the loops; `heights` is the Reeb graph of the z axis. A
 // command that takes longer than the limit is not tried on larger meshes of its family. Prints a
 // table of exponents and one of the times of the largest meshes, in brackets where these are not

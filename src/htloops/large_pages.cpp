@@ -10,7 +10,7 @@
 // Memory of the tool, on Linux. Most of it is arrays of many megabytes, each written once. In pages
 // of 4 kB each page is a fault, which takes a microsecond in a virtual machine: two thirds of the
 // time for a mesh of ten million faces. So large blocks ask for pages of 2 MB, which a system may
-// give or not, and what is freed is kept, unless the user has an own opinion (GLIBC_TUNABLES).
+// give or not; and what is freed is kept, unless GLIBC_TUNABLES says otherwise.
 
 #include <algorithm>
 #include <cerrno>
