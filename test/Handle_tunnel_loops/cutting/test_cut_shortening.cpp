@@ -4,6 +4,7 @@
 #include "Meshes_of_soups.h"
 #include "random_input.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Arc_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Boundary_tour.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Chord_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
@@ -14,6 +15,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace test_cut_shortening {
@@ -86,6 +92,80 @@ TEST(Boundary_tour, CountsWhatAWalkCounts) {
   }
   EXPECT_GT(cycles, 500U);
   EXPECT_GT(others, 500U);
+}
+
+// The length of the shortest path that may take the place of an arc, by definition: from a corner
+// on one side of the annulus that there is without the arc to one on the other, through vertices
+// that are not on the cut, or are within the arc.
+double shortest_instead(const Cut_problem& problem,
+                        const Cut_graph& cut,
+                        const Disk_boundary& boundary,
+                        const std::vector<Index>& place,
+                        const Cut_arc& arc) {
+  const Flat_halfedges& halfedges = problem.halfedges;
+  const Sides_of_arc sides{boundary, arc};
+  std::vector<char> is_free(problem.mesh.number_of_vertices(), 1);
+  for(Index k = 0; k < boundary.size(); ++k)
+    is_free[boundary.vertex(k)] = 0;
+  for(Index k = boundary.next(arc.first); k != arc.last; k = boundary.next(k))
+    is_free[boundary.vertex(k)] = 1;
+  const auto is_on_side = [&](Index h, int side) { // where a halfedge begins
+    return !is_free[halfedges.source(h)] && sides.of(place[h]) == side;
+  };
+  using Step = std::pair<double, Index>; // the halfedge that is gone along
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+  const auto passes = [&](Index h) {
+    return !cut.contains(h) || is_free[halfedges.source(h)] || is_free[halfedges.target(h)];
+  };
+  for(Index h = 0; h < halfedges.size(); ++h)
+    if(passes(h) && is_on_side(h, 1))
+      open.push({problem.weight[h], h});
+  while(!open.empty()) {
+    const auto [length, h] = open.top();
+    open.pop();
+    const Index v = halfedges.target(h);
+    if(is_on_side(halfedges.twin(h), 2))
+      return length;
+    if(is_free[v] != 1)
+      continue;
+    is_free[v] = 2; // and done
+    for(Index next = halfedges.begin(v); next < halfedges.end(v); ++next)
+      if(passes(next))
+        open.push({length + problem.weight[next], next});
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+// Of all arcs, and then, as those without a shorter way are settled, of the others.
+TEST(Arc_exchange, FindsTheShortestPaths) {
+  std::size_t number_shorter = 0, number_settled = 0;
+  for(int seed = 0; seed < 12; ++seed) {
+    Random random(seed);
+    const std::size_t genus = 2 + seed % 4;
+    const Flat_mesh mesh = flat_mesh_of(Recipe{"multi-torus", {1200, genus, unsigned(seed)}});
+    const Cut_problem problem = random_problem(random, mesh);
+    Cut_graph cut = Cut_start(problem).find();
+    const Disk_boundary boundary(problem, cut, halfedges_of(problem, cut).front());
+    std::vector<Index> place(problem.halfedges.size(), no_index);
+    for(Index k = 0; k < boundary.size(); ++k)
+      boundary.for_each_in_corner(k, [&](Index h) { place[h] = k; });
+    Arc_exchange exchange(problem, cut);
+    for(int round = 0; round < 2; ++round) {
+      std::map<std::size_t, double> gains;
+      for(const Arc_proposal& proposal : exchange.find(boundary))
+        gains[proposal.arc] = proposal.gain;
+      for(std::size_t a = 0; a < exchange.arcs().size(); ++a) {
+        const Cut_arc& arc = exchange.arcs()[a];
+        const double gain = arc.length - shortest_instead(problem, cut, boundary, place, arc);
+        EXPECT_NEAR(gains.count(a) == 0 ? 0. : gains[a], (std::max)(gain, 0.), 1e-9)
+            << seed << ", arc " << a << ", round " << round;
+      }
+      number_shorter += gains.size();
+      number_settled += exchange.arcs().size() - gains.size();
+    }
+  }
+  EXPECT_GT(number_shorter, 50U);
+  EXPECT_GT(number_settled, 20U);
 }
 
 TEST(Chord_tree, FindsTheShortestOfAll) {

@@ -22,7 +22,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -232,6 +236,22 @@ private:
         is_to_try_[a] = 0;
       else if(is_to_try_[a])
         most_ = (std::max)(most_, arcs_[a].length);
+    add_up_keys();
+  }
+
+  // A chord can take the place of an arc only if one of the arc's two places on the boundary lies
+  // between its ends. Keys are added bit by bit, so that those of both places are nothing together.
+  void add_up_keys() {
+    keys_before_.assign(boundary_->size() + std::size_t{1}, 0);
+    std::mt19937_64 keys;
+    for(std::size_t a = 0; a < arcs_.size(); ++a)
+      if(is_to_try_[a]) {
+        const std::uint64_t key = keys();
+        keys_before_[arcs_[a].first + std::size_t{1}] = key;
+        keys_before_[arcs_[a].twin_first + std::size_t{1}] = key;
+      }
+    std::partial_sum(keys_before_.begin(), keys_before_.end(), keys_before_.begin(),
+                     std::bit_xor<>());
   }
 
   Index size_of(const Cut_arc& arc) const { return boundary_->places_from(arc.first, arc.last); }
@@ -283,7 +303,7 @@ private:
       return;
     const double length = a.distance + problem_.weight[h] + b.distance;
     Index from = place_of(a), to = place_of(b);
-    if(group_[from] == group_[to] || length >= most_)
+    if(group_[from] == group_[to] || keys_before_[from] == keys_before_[to] || length >= most_)
       return;
     if(group_[from] > group_[to])
       std::swap(from, to);
@@ -373,6 +393,7 @@ private:
   std::vector<Index> changed_;      // vertices with a new label, or none any more
   std::vector<Index> settled_size_; // by halfedge, of the arc from there without a shorter way
   std::vector<char> is_to_try_;     // by arc
+  std::vector<std::uint64_t> keys_before_; // by place, of the arcs to try up to there
   Chord_tree chords_;
 };
 
