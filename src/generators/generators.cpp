@@ -229,6 +229,16 @@ Soup translated(Soup soup, const std::array<double, 3>& by) {
   return soup;
 }
 
+Soup askew(Soup soup) {
+  for(auto& [x, y, z] : soup.points) {
+    const std::array<double, 3> p = {x, y, z};
+    x = 0.36 * p[0] + 0.48 * p[1] - 0.8 * p[2];
+    y = -0.8 * p[0] + 0.6 * p[1];
+    z = 0.48 * p[0] + 0.64 * p[1] + 0.6 * p[2];
+  }
+  return soup;
+}
+
 Soup reversed(Soup soup) {
   for(auto& triangle : soup.triangles)
     std::swap(triangle[1], triangle[2]);

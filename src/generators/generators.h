@@ -89,6 +89,9 @@ Soup joined(const std::vector<Soup>& soups);
 /// the mesh moved by a vector.
 Soup translated(Soup soup, const std::array<double, 3>& by);
 
+/// the mesh turned about the origin, so that no axis of it is along one of the coordinates.
+Soup askew(Soup soup);
+
 /// the mesh with all triangles turned over.
 Soup reversed(Soup soup);
 

@@ -166,6 +166,44 @@ TEST(Near_pairs, TellWhetherCapsMeetThemselves) {
   EXPECT_LT(number_of_contacts, 12);
 }
 
+// Flags around a pole, which is a vertex of all, and scattered triangles; some meet.
+std::vector<impl::Placed_triangle> flags_and_others(generators::Random& random) {
+  const auto anywhere = [&] {
+    const double x = random.uniform(-1., 1.), y = random.uniform(-1., 1.);
+    return Surgery_mesh::Point(x, y, random.uniform(-1., 1.));
+  };
+  std::vector<impl::Placed_triangle> triangles;
+  for(Index i = 0; i < 300; ++i) {
+    const bool is_flag = i % 2 == 0;
+    impl::Placed_triangle t{{is_flag ? 0 : 3 * i + 1, 3 * i + 2, 3 * i + 3},
+                            {Surgery_mesh::Point(0., 0., 0.), anywhere(), anywhere()}};
+    if(!is_flag)
+      for(auto& p : t.points)
+        p = Surgery_mesh::Point(0.3 * p.x(), 0.3 * p.y(), 0.3 * p.z() + 0.01 * double(i % 100));
+    triangles.push_back(t);
+  }
+  return triangles;
+}
+
+TEST(Near_pairs, AreOfBothPartsOnly) {
+  generators::Random random(5);
+  std::size_t number_of_contacts = 0;
+  for(const std::size_t number_of_first : {1u, 80u, 150u, 299u, 300u}) {
+    const auto triangles = flags_and_others(random);
+    const auto pairs = *impl::near_pairs(triangles, number_of_first);
+    const std::set<std::pair<Index, Index>> near(pairs.begin(), pairs.end());
+    for(const auto& [i, j] : near)
+      EXPECT_TRUE(i >= number_of_first && j < number_of_first);
+    for(Index i = static_cast<Index>(number_of_first); i < triangles.size(); ++i)
+      for(Index j = 0; j < number_of_first; ++j)
+        if(impl::are_in_contact(triangles[i], triangles[j])) {
+          EXPECT_EQ(near.count({i, j}), 1u) << i << ' ' << j;
+          ++number_of_contacts;
+        }
+  }
+  EXPECT_GT(number_of_contacts, 100u);
+}
+
 TEST(Near_pairs, AreFewWhereAllBoxesMeet) {
   const auto number_of_pairs = [](std::size_t n) {
     return impl::near_pairs(impl::Placed_patch(Surgery_mesh(), disc(n)).triangles())->size();
@@ -177,6 +215,55 @@ TEST(Near_pairs, AreFewWhereAllBoxesMeet) {
       impl::Placed_patch(Surgery_mesh(), disc(10)).triangles();
   flat.back().points[0] = flat.back().points[1];
   EXPECT_FALSE(impl::near_pairs(flat)); // one has no area
+}
+
+// ---- boxes along other axes
+
+double mean_size_of_boxes(const Surgery_mesh& mesh) {
+  double sum = 0.;
+  for(Index f = 0; f < mesh.face_bound(); ++f) {
+    const impl::Box<3> b = mesh.box_axes().box(impl::placed_triangle(mesh, f).corners());
+    for(int i = 0; i < 3; ++i)
+      sum += (b.high[i] - b.low[i]) * (b.high[(i + 1) % 3] - b.low[(i + 1) % 3]);
+  }
+  return sum / double(mesh.face_bound());
+}
+
+TEST(Box_axes, AreAlongLongFacesHoweverTheyLie) {
+  for(const char* kind : {"plates", "bars"}) {
+    const Soup soup = soup_of({kind, {4000, 4, 0}});
+    Mesh mesh = mesh_of(soup), other = mesh_of(generators::askew(soup));
+    const Surgery_mesh straight = surgery_mesh_of(mesh), turned = surgery_mesh_of(other);
+    EXPECT_LT(mean_size_of_boxes(turned), 1.5 * mean_size_of_boxes(straight)) << kind;
+    const impl::Vector p = {0.1, 0.2, 0.3};
+    EXPECT_EQ(straight.box_axes().turned(p), p) << kind; // nothing is clearly better
+    EXPECT_NE(turned.box_axes().turned(p), p) << kind;
+    const auto along = [&](const impl::Vector& v) { return turned.box_axes().turned(v); };
+    EXPECT_NEAR(
+        impl::dot(along({1., 0., 0.}), impl::cross(along({0., 1., 0.}), along({0., 0., 1.}))), 1.,
+        1e-12);
+  }
+}
+
+// Corners on a side, or within a triangle, are rounded along other axes.
+TEST(Box_axes, LoseNoContact) {
+  Mesh mesh = mesh_of(generators::askew(soup_of({"plates", {2000, 2, 0}})));
+  const impl::Box_axes axes = surgery_mesh_of(mesh).box_axes();
+  generators::Random random(6);
+  std::size_t number_of_contacts = 0;
+  for(int i = 0; i < 20000; ++i) {
+    const auto anywhere = [&] {
+      const auto x = double(int(random.uniform(0., 4.))), y = double(int(random.uniform(0., 4.)));
+      return Surgery_mesh::Point(x, y, double(int(random.uniform(0., 4.))));
+    };
+    const impl::Placed_triangle s{{0, 1, 2}, {anywhere(), anywhere(), anywhere()}},
+        t{{3, 4, 5}, {anywhere(), anywhere(), anywhere()}};
+    if(!s.is_degenerate() && !t.is_degenerate() && impl::are_in_contact(s, t)) {
+      ++number_of_contacts;
+      ASSERT_TRUE(axes.box(s.corners()).meets(axes.box(t.corners())));
+    }
+  }
+  EXPECT_GT(number_of_contacts, 1000u);
 }
 
 // How many pairs are looked at with so many triangles done.

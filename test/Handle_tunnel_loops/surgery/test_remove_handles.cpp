@@ -373,6 +373,17 @@ TEST(Handle_removal, IsTheSameAtAnyScale) {
   }
 }
 
+TEST(Handle_removal, RemovesAsManyHoweverTheMeshLies) {
+  for(const char* kind : {"plates", "bars", "hubs"}) {
+    const Soup soup = soup_of(recipe(kind, 3000, 4));
+    Mesh mesh = mesh_of(soup), other = mesh_of(generators::askew(soup));
+    EXPECT_EQ(CGAL::remove_handles(mesh).genus_after, 0u) << kind;
+    EXPECT_EQ(CGAL::remove_handles(other).genus_after, 0u) << kind;
+    expect_solid(other, 0);
+    EXPECT_NEAR(PMP::volume(other), PMP::volume(mesh), 1e-3 * std::abs(PMP::volume(mesh))) << kind;
+  }
+}
+
 TEST(Handle_removal, RemovesAsManyHoweverTheMeshIsNumbered) {
   const Soup soup = soup_of(recipe("shell", 6000, 8));
   for(unsigned seed = 0; seed < 4; ++seed) {

@@ -307,6 +307,29 @@ TEST(Triangles_apart, takes_any_direction_at_its_word) {
   EXPECT_FALSE(internal::are_seen_apart(point, point));
 }
 
+// What is too large or too small for products of four coordinates is not said to be apart.
+TEST(Triangles_apart, are_never_in_contact) {
+  generators::Random random(2);
+  const auto anywhere = [&](double scale) {
+    const double x = scale * random.uniform(-1., 1.), y = scale * random.uniform(-1., 1.);
+    return internal::Surgery_mesh::Point(x, y, scale * 0.1 * random.uniform(-1., 1.));
+  };
+  for(const double scale : {1e-310, 1e-140, 1e-30, 1., 1e60, 1e140, 1e307}) {
+    std::size_t number_apart = 0;
+    constexpr std::size_t number = 2000;
+    for(std::size_t i = 0; i < number; ++i) {
+      const internal::Placed_triangle s{{0, 1, 2},
+                                        {anywhere(scale), anywhere(scale), anywhere(scale)}},
+          t{{3, 4, 5}, {anywhere(scale), anywhere(scale), anywhere(scale)}};
+      if(!internal::are_seen_apart(s.corners(), t.corners()))
+        continue;
+      ++number_apart;
+      ASSERT_FALSE(CGAL::do_intersect(s.triangle(), t.triangle())) << scale;
+    }
+    EXPECT_EQ(number_apart > number / 4, scale > 1e-100 && scale < 1e100) << scale;
+  }
+}
+
 // By the number of boxes that are compared, not by a clock.
 TEST(Contact_search, takes_near_linear_time) {
   const auto hubs = [](std::uint32_t n) { return sphere_with_hubs(n, 2); };

@@ -49,9 +49,11 @@ public:
     std::array<Point, 3> points;
   };
 
-  /// all triangles have an area.
-  explicit Contact_search(std::vector<Triangle> triangles)
-      : triangles_(std::move(triangles)) {
+  /// all triangles have an area. If \p number_of_first is not 0, these are compared with all
+  /// others, but not with each other, nor the others with each other.
+  explicit Contact_search(std::vector<Triangle> triangles, std::size_t number_of_first = 0)
+      : triangles_(std::move(triangles))
+      , number_of_first_(number_of_first) {
     scale_points();
     find_hubs();
     build();
@@ -147,20 +149,26 @@ private:
     const std::size_t n = triangles_.size();
     for(std::size_t i = 0; i < n; ++i)
       order_.push_back(static_cast<Index>(i));
-    std::stable_sort(order_.begin(), order_.end(),
-                     [this](Index a, Index b) { return hub_of_[a] < hub_of_[b]; });
-    if(n > 0)
+    const auto by_hub = [this](Index a, Index b) { return hub_of_[a] < hub_of_[b]; };
+    const auto first = order_.begin(),
+               others = first + static_cast<std::ptrdiff_t>(number_of_first_);
+    std::stable_sort(first, others, by_hub);
+    std::stable_sort(others, order_.end(), by_hub);
+    if(n > number_of_first_)
       add_node(0, n);
   }
 
   Index add_node(std::size_t begin, std::size_t end) {
     const Index node = static_cast<Index>(nodes_.size());
-    const bool is_of_one_hub = hub_of_[order_[begin]] == hub_of_[order_[end - 1]];
+    const bool is_of_both = begin < number_of_first_ && number_of_first_ < end;
+    const bool is_of_one_hub = !is_of_both && hub_of_[order_[begin]] == hub_of_[order_[end - 1]];
     nodes_.push_back(
         {box_of(begin, end), begin, end, is_of_one_hub ? hub_of_[order_[begin]] : no_hub});
     if(end - begin <= leaf_size && is_of_one_hub)
       return node;
-    const std::size_t middle = is_of_one_hub ? halve(begin, end) : split_hubs(begin, end);
+    const std::size_t middle = is_of_both      ? number_of_first_
+                               : is_of_one_hub ? halve(begin, end)
+                                               : split_hubs(begin, end);
     const Index first = add_node(begin, middle), second = add_node(middle, end);
     nodes_[node].children[0] = first;
     nodes_[node].children[1] = second;
@@ -363,6 +371,8 @@ private:
   compare_parts(Execution execution, const std::atomic<bool>& is_over, const Function& f) const {
     constexpr std::size_t enough = 4096;
     std::vector<Node_pair> pairs = {{0, 0}};
+    if(number_of_first_ > 0)
+      pairs = {{nodes_[0].children[0], nodes_[0].children[1]}};
     for(bool is_changed = true; is_changed && pairs.size() < enough;) {
       is_changed = false;
       std::vector<Node_pair> next;
@@ -417,13 +427,18 @@ private:
                           const Function& f) const {
     std::vector<Triangle> segments;
     std::vector<Index> triangle_of;
-    for(const Index i : hubs_[hub]) {
+    std::size_t number_of_first = 0;
+    for(const Index i : hubs_[hub]) { // in ascending order
       append_arc(triangles_[i], vertices_of_hubs_[hub], segments);
       triangle_of.resize(segments.size(), i);
+      if(i < number_of_first_)
+        number_of_first = segments.size();
     }
+    if(number_of_first_ > 0 && (number_of_first == 0 || number_of_first == segments.size()))
+      return;
     for(std::size_t i = 0; i < segments.size(); ++i) // none shares a vertex with many
       segments[i].vertices.fill(static_cast<Index>(i));
-    const Contact_search search(std::move(segments));
+    const Contact_search search(std::move(segments), number_of_first);
     search.compare_parts(execution, is_over, [&](Index i, Index j) {
       if(triangle_of[i] != triangle_of[j])
         f(triangle_of[i], triangle_of[j]);
@@ -491,6 +506,7 @@ private:
   }
 
   std::vector<Triangle> triangles_;      // scaled
+  std::size_t number_of_first_;          // 0 if all are compared with all
   std::vector<std::vector<Index>> hubs_; // their triangles
   std::vector<Index> vertices_of_hubs_;
   std::vector<Index> hub_of_, order_;

@@ -269,7 +269,7 @@ private:
                                       const Shape_judge& judge,
                                       const Intended_change& intended) {
     const Placed_patch placed(mesh, patch);
-    reach_.extend(placed.box());
+    reach_.extend(placed.reach());
     if(const auto obstacle = contact_of_caps(patch, placed, contacts))
       return obstacle;
     const Judged_change change = judge.change(mesh, out_, patch, intended);

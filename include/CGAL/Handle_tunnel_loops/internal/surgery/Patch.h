@@ -86,14 +86,16 @@ class Placed_patch
 public:
   /// \p first is added to the numbers of the patch's own points, to tell those of two patches
   /// apart.
-  Placed_patch(const Surgery_mesh& mesh, const Patch& patch, Index first = 0) {
+  Placed_patch(const Surgery_mesh& mesh, const Patch& patch, Index first = 0)
+      : axes_(mesh.box_axes()) {
     for(std::size_t i = 0; i < patch.faces.size(); ++i) {
       triangles_.push_back(patch.placed(mesh, i));
       for(Index& v : triangles_.back().vertices)
         if(v >= Patch::first_own)
           v += first;
-      boxes_.push_back(triangles_.back().box());
+      boxes_.push_back(axes_.box(triangles_.back().corners()));
       box_.extend(boxes_.back());
+      reach_.extend(triangles_.back().box());
     }
     for(Index f : patch.parents)
       parents_.push_back(placed_triangle(mesh, f));
@@ -101,10 +103,12 @@ public:
 
   const std::vector<Placed_triangle>& triangles() const { return triangles_; }
 
+  /// along the axes of the mesh; the second is that of all.
   const Box<3>& box(std::size_t i) const { return boxes_[i]; }
-
-  /// of all.
   const Box<3>& box() const { return box_; }
+
+  /// along those of the coordinates.
+  const Box<3>& reach() const { return reach_; }
 
   /// those that are parts of faces of the mesh come first.
   std::size_t number_of_parts() const { return parents_.size(); }
@@ -116,7 +120,7 @@ public:
   }
 
   bool meets(const Placed_triangle& face) const {
-    const Box<3> box = face.box();
+    const Box<3> box = axes_.box(face.corners());
     for(std::size_t i = 0; i < triangles_.size(); ++i)
       if(boxes_[i].meets(box) && meets(i, face))
         return true;
@@ -177,9 +181,10 @@ public:
   }
 
 private:
+  Box_axes axes_;
   std::vector<Placed_triangle> triangles_, parents_;
   std::vector<Box<3>> boxes_; // of the triangles
-  Box<3> box_ = Box<3>::empty();
+  Box<3> box_ = Box<3>::empty(), reach_ = Box<3>::empty();
 };
 
 /// Finds which patches meet a face of the mesh that stays.
@@ -273,21 +278,18 @@ private:
     const Index number = static_cast<Index>(triangles.size());
     for(Index i : faces)
       triangles.push_back(placed_triangle(mesh_, layer.begin + i));
-    auto pairs = near_pairs(std::move(triangles));
-    if(!pairs)
-      return std::nullopt;
-    std::vector<std::pair<Index, Index>> of_both;
-    for(const auto& [i, t] : *pairs)
-      if(i >= number && t < number)
-        of_both.push_back({faces[i - number], t});
-    return of_both;
+    auto pairs = near_pairs(std::move(triangles), number);
+    if(pairs)
+      for(auto& pair : *pairs)
+        pair.first = faces[pair.first - number];
+    return pairs;
   }
 
   // What is gone has no box, and caps are none of the surface.
   bool counts(Index f) const { return mesh_.is_alive(f) && !mesh_.is_in_cap(f); }
 
   Box<3> box(Index f) const {
-    return counts(f) ? placed_triangle(mesh_, f).box() : Box<3>::empty();
+    return counts(f) ? mesh_.box_axes().box(placed_triangle(mesh_, f).corners()) : Box<3>::empty();
   }
 
   Placed_boxes boxes(Execution execution, Index begin, Index end) const {
@@ -388,8 +390,8 @@ private:
       return placed_.meets(face);
     if(!boxes_)
       boxes_ = placed_.placed_boxes();
-    const std::vector<Index> close_ones =
-        boxes_->meeting(face.box(), [this](Index i) { return placed_.box(i); });
+    const std::vector<Index> close_ones = boxes_->meeting(
+        mesh_.box_axes().box(face.corners()), [this](Index i) { return placed_.box(i); });
     return std::any_of(close_ones.begin(), close_ones.end(),
                        [&](Index i) { return placed_.meets(i, face); });
   }

@@ -12,9 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Box_axes.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/triangles_apart.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
@@ -43,6 +46,8 @@ public:
   using Point = Kernel::Point_3;
   using Face = std::array<Index, 3>;
 
+  static Vector place_of(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
   Surgery_mesh() = default;
 
   /// \p corners may leave gaps, faces with corners no_index; \p twins are those of halfedges.
@@ -50,7 +55,8 @@ public:
       : points_(std::move(points))
       , faces_(std::move(corners))
       , twins_(std::move(twins))
-      , first_(points_.size(), no_index) {
+      , first_(points_.size(), no_index)
+      , box_axes_(some_triangles()) {
     for(Index h = 0; h < twins_.size(); ++h)
       if(is_alive(face(h))) {
         first_[source(h)] = h;
@@ -103,6 +109,9 @@ public:
   const Point& point(Index v) const { return points_[v]; }
 
   bool is_alive(Index f) const { return faces_[f][0] != no_index; }
+
+  /// along which boxes around faces are small; as there were before any surgery.
+  const Box_axes& box_axes() const { return box_axes_; }
 
   Index first_hub() const { return first_hub_; }
   Index number_of_hubs() const { return number_of_hubs_; }
@@ -177,6 +186,19 @@ public:
   }
 
 private:
+  // The same each time.
+  std::vector<Corner_points> some_triangles() const {
+    constexpr Index enough = 512;
+    std::vector<Corner_points> some;
+    for(Index f = 0; f < face_bound(); f += face_bound() / enough + 1)
+      if(is_alive(f)) {
+        some.emplace_back();
+        for(std::size_t k = 0; k < 3; ++k)
+          some.back()[k] = place_of(points_[faces_[f][k]]);
+      }
+    return some;
+  }
+
   // Along the boundary from one of its halfedges on.
   void add_cap(Index first) {
     const Index hub = add_vertex(Point(CGAL::ORIGIN)), begin = 3 * face_bound();
@@ -255,6 +277,7 @@ private:
   std::vector<Index> origins_; // of faces that were put in
   std::size_t number_of_faces_ = 0;
   Index first_hub_ = 0, number_of_hubs_ = 0;
+  Box_axes box_axes_;
 };
 
 /// the vertices of some faces, in ascending order.

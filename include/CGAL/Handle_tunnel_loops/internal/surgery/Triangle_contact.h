@@ -28,7 +28,7 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 inline Box<3> box_at(const Surgery_mesh::Point& p) {
-  return {{p.x(), p.y(), p.z()}, {p.x(), p.y(), p.z()}};
+  return {Surgery_mesh::place_of(p), Surgery_mesh::place_of(p)};
 }
 
 /// A triangle by its corners: the numbers tell which corners two triangles share.
@@ -40,6 +40,10 @@ struct Placed_triangle
   std::array<Kernel::Point_3, 3> points;
 
   bool is_degenerate() const { return CGAL::collinear(points[0], points[1], points[2]); }
+  Corner_points corners() const {
+    const auto place = [](const Kernel::Point_3& p) { return Surgery_mesh::place_of(p); };
+    return {place(points[0]), place(points[1]), place(points[2])};
+  }
   Kernel::Triangle_3 triangle() const { return {points[0], points[1], points[2]}; }
   double area() const { return std::sqrt(triangle().squared_area()); }
   Box<3> box() const {
@@ -104,6 +108,8 @@ private:
              are_bent_at_edge();
     if(number_shared_ > 2)
       return false;
+    if(number_shared_ == 0 && are_seen_apart(a_.corners(), b_.corners()))
+      return true;
     const Position position = position_of(b_, shared_in_b_, a_);
     if(position == IN_PLANE)
       return are_apart_in_plane();

@@ -31,9 +31,12 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// usual.
 constexpr double largest_crowding = 128.;
 
-/// `triangle(i)` is the i-th of n.
+/// `triangle(i)` is the i-th of n, the first of which may be compared with the others alone.
 template <typename Triangle_of>
-Contact_search contact_search(Execution execution, std::size_t n, const Triangle_of& triangle) {
+Contact_search contact_search(Execution execution,
+                              std::size_t n,
+                              const Triangle_of& triangle,
+                              std::size_t number_of_first = 0) {
   std::vector<Contact_search::Triangle> triangles(n);
   for_each_index(execution, n, [&](std::size_t i) {
     const Placed_triangle t = triangle(i);
@@ -41,7 +44,7 @@ Contact_search contact_search(Execution execution, std::size_t n, const Triangle
     for(std::size_t k = 0; k < 3; ++k)
       triangles[i].points[k] = {t.points[k].x(), t.points[k].y(), t.points[k].z()};
   });
-  return Contact_search(std::move(triangles));
+  return Contact_search(std::move(triangles), number_of_first);
 }
 
 /// How many pairs of triangles are looked at because their boxes meet, before a closer look at the
@@ -85,9 +88,10 @@ private:
 };
 
 /// Which of some triangles a closer look than by boxes finds near each other: each pair once, the
-/// later one first. Not known if one has no area.
+/// later one first; or, if \p number_of_first is not 0, pairs of one of the first and one of the
+/// others. Not known if one has no area.
 inline std::optional<std::vector<std::pair<Index, Index>>>
-near_pairs(std::vector<Placed_triangle> triangles) {
+near_pairs(std::vector<Placed_triangle> triangles, std::size_t number_of_first = 0) {
   std::vector<Index> vertices;
   for(const Placed_triangle& t : triangles) {
     if(t.is_degenerate())
@@ -100,11 +104,11 @@ near_pairs(std::vector<Placed_triangle> triangles) {
       v = static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), v) -
                              vertices.begin());
   std::vector<std::pair<Index, Index>> pairs;
-  contact_search(Execution(), triangles.size(), [&](std::size_t i) {
-    return triangles[i];
-  }).for_each_candidate(Execution(), [&](Index i, Index j) {
-    pairs.push_back({(std::max)(i, j), (std::min)(i, j)});
-  });
+  const auto triangle = [&](std::size_t i) { return triangles[i]; };
+  contact_search(Execution(), triangles.size(), triangle, number_of_first)
+      .for_each_candidate(Execution(), [&](Index i, Index j) {
+        pairs.push_back({(std::max)(i, j), (std::min)(i, j)});
+      });
   make_set(pairs);
   return pairs;
 }
