@@ -101,14 +101,26 @@ inline Soup many_tori(std::size_t faces, std::size_t faces_of_each) {
   return generators::disjoint_union(std::vector<Soup>(faces / torus.triangles.size(), torus));
 }
 
+/// a family whose surfaces lie in no simple way.
+inline Family askew(const Family& family) {
+  return {family.name + ", askew",
+          [=](std::size_t faces, unsigned int seed) {
+            return generators::askew(family.make(faces, seed));
+          },
+          family.number_of_seeds};
+}
+
 inline const std::vector<Family>& families() {
   static const std::vector<Family> all = {
       of_genus("hubs", 20),
+      askew(of_genus("hubs", 20)),
       with_handles("hubs", 400),
       of_genus("fan", 0),
       of_genus("plates", 20, 3),
+      askew(of_genus("plates", 20, 3)),
       with_handles("plates", 100),
       of_genus("bars", 20, 3),
+      askew(of_genus("bars", 20, 3)),
       with_handles("bars", 40),
       with_handles("chain", 400),
       {"nested spheres",
