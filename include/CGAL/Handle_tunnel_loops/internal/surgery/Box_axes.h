@@ -37,10 +37,11 @@ public:
   /// for surfaces like some triangles. Tried are axes along the largest of them.
   explicit Box_axes(const std::vector<Corner_points>& triangles) {
     constexpr std::size_t number_tried = 16;
-    constexpr double clearly = 0.8;
+    constexpr double clearly = 0.8, by_more_than_rounding = 1. - 1e-9;
     std::vector<std::pair<double, std::size_t>> by_size;
     for(std::size_t i = 0; i < triangles.size(); ++i)
-      by_size.push_back({box_size(triangles[i]), i});
+      if(const double size = box_size(triangles[i]); std::isfinite(size))
+        by_size.push_back({size, i});
     const auto end =
         by_size.begin() + static_cast<std::ptrdiff_t>((std::min)(number_tried, by_size.size()));
     std::partial_sort(by_size.begin(), end, by_size.end(), std::greater<>());
@@ -50,7 +51,7 @@ public:
       other.turn_along(triangles[i->second]);
       const double sum = other.sum_of_box_sizes(triangles);
       if(sum < least) {
-        least = sum;
+        least = by_more_than_rounding * sum;
         *this = other;
       }
     }
@@ -63,10 +64,10 @@ public:
 
   /// a box around a point, which is as large as rounding: boxes of triangles that meet do so.
   Box<3> box(const Vector& p) const {
-    constexpr double margin = 0x1p-50;
+    constexpr double margin = 0x1p-50, least = 0x1p-1070;
     const Vector t = turned(p);
-    const double rounding =
-        is_turned_ ? margin * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2])) : 0.;
+    const double size = std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+    const double rounding = is_turned_ ? margin * size + least : 0.;
     return {{t[0] - rounding, t[1] - rounding, t[2] - rounding},
             {t[0] + rounding, t[1] + rounding, t[2] + rounding}};
   }
@@ -79,7 +80,8 @@ public:
   }
 
 private:
-  // Along its longest side, and normal to it; not at all if that is no direction.
+  // Along its longest side, and normal to it, whatever that is of a sliver; not at all if these are
+  // no directions.
   void turn_along(const Corner_points& t) {
     const auto side = [&](std::size_t k) { return t[(k + 1) % 3] - t[k]; };
     std::size_t longest = 0;
@@ -87,8 +89,12 @@ private:
       if(dot(side(k), side(k)) > dot(side(longest), side(longest)))
         longest = k;
     Vector along = side(longest), normal = cross(side(0), side(1));
-    if((is_turned_ = normalize(along) && normalize(normal)))
-      axes_ = {along, normal, cross(along, normal)};
+    is_turned_ = normalize(along) && normalize(normal);
+    for(int round = 0; round < 2 && is_turned_; ++round) {
+      normal = normal - dot(normal, along) * along;
+      is_turned_ = normalize(normal);
+    }
+    axes_ = {along, normal, cross(along, normal)};
   }
 
   static bool normalize(Vector& v) {
@@ -102,7 +108,7 @@ private:
   double box_size(const Corner_points& triangle) const {
     const Box<3> b = box(triangle);
     const double x = b.high[0] - b.low[0], y = b.high[1] - b.low[1], z = b.high[2] - b.low[2];
-    return x * y + y * z + z * x;
+    return rounded_product(x, y) + rounded_product(y, z) + rounded_product(z, x);
   }
 
   double sum_of_box_sizes(const std::vector<Corner_points>& triangles) const {

@@ -19,6 +19,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Principal_axes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/triangles_apart.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -54,6 +56,7 @@ public:
   explicit Contact_search(std::vector<Triangle> triangles, std::size_t number_of_first = 0)
       : triangles_(std::move(triangles))
       , number_of_first_(number_of_first) {
+    CGAL_precondition(number_of_first <= triangles_.size());
     scale_points();
     find_hubs();
     build();

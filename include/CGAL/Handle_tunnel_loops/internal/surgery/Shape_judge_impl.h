@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Box_axes.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Largest_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Rim.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
@@ -68,10 +69,11 @@ public:
 
   /// how far caps are from the surface that they take the place of.
   double displacement(const Largest_distance::Accuracy& accuracy) const {
+    const Box_axes& axes = mesh_.box_axes(); // distances are the same, and found in less time
     Triangles old;
     for(Index f : out_)
-      add(mesh_.corners(f), old);
-    return Largest_distance(std::move(old), accuracy).from(caps());
+      add(mesh_.corners(f), axes, old);
+    return Largest_distance(std::move(old), accuracy).from(caps(axes));
   }
 
   /// how far faces at vertices that are taken out are above the caps; \p outward is which side that
@@ -87,9 +89,9 @@ public:
     for(Index f : out_) {
       const Surgery_mesh::Face& corners = mesh_.corners(f);
       if(!std::all_of(corners.begin(), corners.end(), [&](Index v) { return is_in(v, left); }))
-        add(corners, gone);
+        add(corners, Box_axes(), gone);
     }
-    return Largest_distance(caps(), accuracy).above(outward, std::move(gone));
+    return Largest_distance(caps(Box_axes()), accuracy).above(outward, std::move(gone));
   }
 
   Box<3> box_of_caps() const {
@@ -111,22 +113,21 @@ private:
   }
   Kernel::Triangle_3 triangle(Index f) const { return triangle(mesh_.corners(f)); }
 
-  // Those on a line have no normal. Distances are the same along any axes, and take less time along
-  // those of boxes.
-  void add(const Surgery_mesh::Face& f, Triangles& all) const {
+  // By coordinates along some axes. Those on a line have no normal.
+  void add(const Surgery_mesh::Face& f, const Box_axes& axes, Triangles& all) const {
     const auto turned = [&](Index v) {
-      const internal::Vector p =
-          mesh_.box_axes().turned(Surgery_mesh::place_of(patch_.point(mesh_, v)));
+      const internal::Vector p = axes.turned(Surgery_mesh::place_of(patch_.point(mesh_, v)));
       return Point(p[0], p[1], p[2]);
     };
-    if(!triangle(f).is_degenerate())
-      all.push_back({turned(f[0]), turned(f[1]), turned(f[2])});
+    const Kernel::Triangle_3 t(turned(f[0]), turned(f[1]), turned(f[2]));
+    if(!t.is_degenerate() && !triangle(f).is_degenerate())
+      all.push_back(t);
   }
 
-  Triangles caps() const {
+  Triangles caps(const Box_axes& axes) const {
     Triangles caps;
     for(std::size_t i = patch_.caps.front(); i < patch_.faces.size(); ++i)
-      add(patch_.faces[i], caps);
+      add(patch_.faces[i], axes, caps);
     return caps;
   }
 
