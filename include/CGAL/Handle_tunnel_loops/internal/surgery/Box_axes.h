@@ -28,7 +28,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /// Axes along which boxes around triangles are small: those of the coordinates, unless others are
 /// clearly better, as they are for long triangles of a part that lies askew. They are a turn away
-/// from these, so that normals point where they did.
+/// from these, so that distances are the same.
 class Box_axes
 {
 public:
@@ -88,20 +88,12 @@ private:
     for(std::size_t k = 1; k < 3; ++k)
       if(dot(side(k), side(k)) > dot(side(longest), side(longest)))
         longest = k;
-    Vector along = side(longest), normal = cross(side(0), side(1));
-    is_turned_ = normalize(along) && normalize(normal);
-    for(int round = 0; round < 2 && is_turned_; ++round) {
-      normal = normal - dot(normal, along) * along;
-      is_turned_ = normalize(normal);
-    }
+    const Vector along = unit(side(longest));
+    Vector normal = unit(cross(side(0), side(1)));
+    for(int round = 0; round < 2; ++round)
+      normal = unit(normal - dot(normal, along) * along);
+    is_turned_ = norm(along) > 0. && norm(normal) > 0.;
     axes_ = {along, normal, cross(along, normal)};
-  }
-
-  static bool normalize(Vector& v) {
-    const double length = std::sqrt(dot(v, v));
-    for(double& x : v)
-      x /= length;
-    return length > 0. && std::isfinite(length);
   }
 
   // Half of its surface: boxes are the more likely to meet others.
