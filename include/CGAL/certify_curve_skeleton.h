@@ -29,6 +29,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -102,8 +103,8 @@ Skeleton_certificate certify_skeleton(Execution execution,
   const Skeleton_certificate certificate = certify();
   if(!certificate.connected || !certificate.inside || certificate.basis)
     return certificate;
-  // The handle loops bound in the solid, which lies beyond the surface of a cavity; the loops of a
-  // basis determine both sides.
+  // The handle loops of a component that is taken alone may bound beyond it; the loops of a basis
+  // determine both sides.
   for(const auto& pair : pairs)
     walks.push_back(walk_of(pair.tunnel(), surface.tm, index));
   return certify();
@@ -117,16 +118,17 @@ Skeleton_certificate certify_skeleton(Execution execution,
 Certifies a curve skeleton that `curve_skeleton()` or any other program has computed. It checks
 these properties:
 
-- Each edge lies strictly inside its component of the surface, where the component is considered
-  without the others, and meets no face of any component. The exception is an inlet: the apex of the
+- Each edge lies strictly inside its piece of the solid, and meets no face of the surface. A piece
+  lies between an outer component and its cavities, as `curve_skeleton()` describes; its number is
+  that of the outer component. The exception is an inlet: the apex of the
   cap that closes a boundary curve, which is a leaf of the skeleton. Its edge meets the cap there.
 - Two edges meet at most in a common endpoint.
-- For each component, the skeleton is connected, and its cycles are a basis of H1 of the solid
-  inside. The number of independent cycles equals the genus, and the matrix of their linking numbers
-  with the handle loops has determinant 1 or -1. By Alexander duality, such a determinant proves
-  that the cycles are a basis, even if the loops are arbitrary closed curves on the surface.
-  Conversely, if the loops are a basis in the sense of `handle_tunnel_loops()` and the cycles are a
-  basis, the determinant is 1 or -1.
+- In each piece, the skeleton is connected, and its cycles are a basis of H1 of the piece. The
+number of independent cycles is the sum of the genera of the surfaces that bound it, and the matrix
+of their linking numbers with the handle loops of these surfaces has determinant 1 or -1. By
+Alexander duality, such a determinant proves that the cycles are a basis, even if the loops are
+arbitrary closed curves on the surface. Conversely, if the loops are a basis in the sense of
+`handle_tunnel_loops()` and the cycles are a basis, the determinant is 1 or -1.
 
 All properties are decided by exact predicates on the coordinates of the mesh and the skeleton,
 taken as doubles (coordinates of an exact kernel are rounded), and by integer arithmetic. The
@@ -194,9 +196,13 @@ certify_curve_skeleton(const TriangleMesh& tm,
   const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
   const auto point = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                       get_const_property_map(vertex_point, tm));
-  const impl::Prepared_surface surface(execution, tm, vertex_index, point);
-  return impl::certify_skeleton(execution, surface, impl::places_of_vertices(execution, surface),
-                                vertex_index, face_index, impl::flat_skeleton(skeleton), pairs);
+  impl::Prepared_surface surface(execution, tm, vertex_index, point);
+  const std::vector<impl::Vector> places = impl::places_of_vertices(execution, surface);
+  std::string taken_alone = impl::join_components_of_solids(execution, surface.mesh, places);
+  Handle_tunnel_loops::Skeleton_certificate certificate = impl::certify_skeleton(
+      execution, surface, places, vertex_index, face_index, impl::flat_skeleton(skeleton), pairs);
+  certificate.taken_alone = std::move(taken_alone);
+  return certificate;
 }
 
 } // namespace CGAL

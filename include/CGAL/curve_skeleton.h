@@ -34,6 +34,7 @@
 #include <chrono>
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 /// \file curve_skeleton.h
@@ -47,16 +48,20 @@ namespace CGAL {
 Computes a curve skeleton of the solid that a surface encloses: curves along the middle of its
 parts.
 
-For each component of the surface, the skeleton is connected and lies strictly inside, two of its
-edges meet at most in a common endpoint, and it has as many independent cycles as the genus, which
-are a basis of the first homology group of the solid. These properties are certified in exact
-arithmetic for every result (`certify_curve_skeleton()`); `Skeleton_statistics::certificate` reports
-which of them hold. They require that the surface neither crosses nor touches itself, which is not
-checked. If it does, it has no inside, and the certificate lists the edges that meet the surface.
+The solid is in pieces. Each lies between an outer component of the surface and the cavities in it:
+the components next within that are oriented the other way, as the core of a casting or the lumen of
+a vessel. In each piece, the skeleton is connected and lies strictly inside, two of its
+edges meet at most in a common endpoint, and it has as many independent cycles as the genera of the
+surfaces add up to, which are a basis of the first homology group of the piece. These properties are
+certified in exact arithmetic for every result (`certify_curve_skeleton()`);
+`Skeleton_statistics::certificate` reports which of them hold. They require that the surface neither
+crosses nor touches itself, which is not checked. If it does, it has no inside, and the certificate
+lists the edges that meet the surface.
 
-Each component is processed without the others, on its bounded side; the skeletons of different
-components still avoid each other. A boundary curve is closed by a cap, a fan of faces around its
-center. The apex of the cap is an inlet: a leaf of the skeleton
+A component that meets another one, or is oriented like the next one around it, is taken alone, on
+its bounded side; `Skeleton_certificate::taken_alone` says so. The skeletons of different pieces
+avoid each other. A boundary curve is closed by a cap, a fan of faces around its center. The apex of
+the cap is an inlet: a leaf of the skeleton
 (`Curve_skeleton_vertex::is_inlet`), and the only kind of vertex that does not lie inside. If the
 fan would meet itself, the surface or another cap, as on winding curves, its apex is moved to a
 position where it meets none of them. If no such position is found, the certificate reports it.
@@ -185,11 +190,13 @@ curve_skeleton(const TriangleMesh& tm,
   statistics.seconds_of_loops = seconds_since(began);
 
   const auto has_loops = Clock::now();
+  std::string taken_alone = impl::join_components_of_solids(execution, surface.mesh, places);
   impl::Found_skeleton found =
       impl::find_skeleton(execution, surface.mesh, frame, places, loops.pairs(), options,
                           impl::face_numbers(surface, face_index));
   statistics.number_of_balls = found.number_of_balls;
   statistics.certificate = std::move(found.certificate);
+  statistics.certificate.taken_alone = std::move(taken_alone);
   impl::convert_skeleton(surface, found, skeleton);
   statistics.seconds_of_skeleton = seconds_since(has_loops);
   return statistics;

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
@@ -84,7 +85,8 @@ take_line(const std::vector<Inner_ball>& line, const std::vector<char>& is_insid
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-Embeds a Reeb graph in the middle of the solid that its surface encloses. `reeb_graph()` draws the
+Embeds a Reeb graph in the middle of the solid that its surface encloses; where it has cavities,
+between them and the component around them, as `curve_skeleton()` does. `reeb_graph()` draws the
 arcs through the centroids of the contours, which is very fast but leaves the solid where contours
 are not convex. This function replaces these polylines. It uses the same balls as `curve_skeleton()`
 and takes about as long.
@@ -170,6 +172,7 @@ embed_reeb_graph(const TriangleMesh& tm,
   request.make_passes = &impl::make_passes<ConcurrencyTag>;
   impl::Loops_on_arrays loops(surface.coordinates(execution));
   loops.find(execution, surface.mesh, std::move(request), {});
+  impl::join_components_of_solids(execution, surface.mesh, places);
   const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
   const impl::Inner_drawing drawing =
       impl::draw_inside(execution, surface.mesh, frame, places, loops.pairs(),

@@ -95,7 +95,8 @@ py::dict record_of_proof(const Skeleton_certificate& certificate) {
     outside.push_back(edge.edge);
   return py::dict("connected"_a = certificate.connected, "inside"_a = certificate.inside,
                   "embedded"_a = certificate.embedded, "basis"_a = certificate.basis,
-                  "failure"_a = certificate.failure, "edges_outside"_a = outside);
+                  "failure"_a = certificate.failure, "taken_alone"_a = certificate.taken_alone,
+                  "edges_outside"_a = outside);
 }
 
 py::dict curve_skeleton(const py::array& points,
@@ -159,6 +160,7 @@ Skeleton_certificate certificate_of(const py::dict& record) {
   certificate.embedded = told["embedded"].cast<bool>();
   certificate.basis = told["basis"].cast<bool>();
   certificate.failure = told["failure"].cast<std::string>();
+  certificate.taken_alone = told["taken_alone"].cast<std::string>();
   for(const Ends& ends : told["edges_outside"].cast<std::vector<Ends>>())
     certificate.edges_outside.push_back({ends, std::nullopt});
   return certificate;

@@ -19,11 +19,12 @@ from ._waiting import computed
 class SkeletonCertificate:
     """What is proved about a skeleton, in exact arithmetic. It is true if everything holds."""
 
-    connected: bool  #: one connected part for each component of the mesh, with a cycle for each handle
+    connected: bool  #: one connected part for each piece of the solid, with a cycle for each handle of its surfaces
     inside: bool  #: every edge lies strictly inside, except for inlets, which lie on caps
     embedded: bool  #: edges meet only in common ends
     basis: bool  #: the cycles are a basis of H1 of the solid
     failure: str  #: what fails, one per line; empty if nothing does
+    taken_alone: str  #: components that are no cavities of those they lie in, or meet others, one per line
     edges_outside: List[Tuple[int, int]]  #: edges not known to be inside, as pairs of points
 
     def __bool__(self) -> bool:
@@ -44,7 +45,7 @@ class CurveSkeleton(Comparable):
         record = Record("the skeleton", record)
         self.points: np.ndarray = record["points"]  #: (n, 3)
         self.radii: np.ndarray = record["radii"]  #: (n,): of the largest balls inside around the points
-        self.components: np.ndarray = record["components"]  #: (n,): of the surface
+        self.components: np.ndarray = record["components"]  #: (n,): of the surface; with cavities, the outer one
         self.is_inlet: np.ndarray = record["is_inlet"].astype(bool)  #: (n,)
         self.edges: np.ndarray = record["edges"]  #: (e, 2): the two points of each edge
         #: by arc, (k,): its points from one node to the other; a closed arc repeats the first at the end
@@ -116,6 +117,7 @@ def curve_skeleton(
 ) -> CurveSkeleton:
     """Computes a curve skeleton of a mesh, with a certificate.
 
+    Components that lie in another one, oriented the other way, are its cavities: the skeleton lies between them.
     If the mesh crosses itself, nothing is proved, and ``certificate`` gives the reason.
 
     Parameters

@@ -47,7 +47,8 @@ struct Curve_skeleton_vertex
   /// the distance to the surface, which is the radius of the largest ball inside around the point.
   /// For an inlet, it is the distance to the boundary curve.
   double radius = 0.;
-  /// the number, from 0, of the connected component of the mesh that it belongs to.
+  /// the number, from 0, of the connected component of the mesh that it belongs to: the outer one
+  /// of the piece of the solid in which it lies.
   std::size_t component = 0;
   /// whether the vertex is an inlet: the apex of the cap of a boundary curve.
   bool is_inlet = false;

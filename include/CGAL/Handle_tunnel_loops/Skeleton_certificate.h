@@ -24,18 +24,19 @@ namespace CGAL::Handle_tunnel_loops {
 /// The certificate of a curve skeleton: the properties that have been certified.
 struct Skeleton_certificate
 {
-  /// whether each component of the mesh has one connected part of the skeleton, with as many
-  /// independent cycles as its genus, and each part belongs to one component.
+  /// whether each piece of the solid has one connected part of the skeleton, with as many
+  /// independent cycles as the genera of the surfaces that bound it add up to, and each part
+  /// belongs to one piece.
   bool connected = false;
 
-  /// whether every edge lies strictly inside its component and meets no other component. Inlets,
+  /// whether every edge lies strictly inside its piece of the solid and meets no face. Inlets,
   /// which lie on caps, are exempt.
   bool inside = false;
 
   /// whether two edges meet at most in a common endpoint.
   bool embedded = false;
 
-  /// whether the cycles of each component are a basis of H1 of the solid inside it. The matrix of
+  /// whether the cycles in each piece of the solid are a basis of its H1. The matrix of
   /// their linking numbers with the handle loops proves this if its determinant is 1 or -1.
   bool basis = false;
 
@@ -54,6 +55,10 @@ struct Skeleton_certificate
   /// ends.
   std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>>>
       edges_that_meet;
+
+  /// which components of the surface bound a piece of the solid by themselves although they lie in
+  /// another one, or meet it, and why, as text with one line each; empty if there are none.
+  std::string taken_alone;
 
   /// what failed, as text with one line per failure; empty if nothing failed.
   std::string failure;

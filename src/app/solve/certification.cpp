@@ -92,13 +92,16 @@ certify_skeleton(const Mesh& mesh,
   Watch_by_function watch(look);
   const auto execution = internal::execution_of<All_threads_tag>().watched_by(watch);
   const auto vertex_index = get(boost::vertex_index, mesh);
-  const Prepared_mesh surface(execution, mesh, vertex_index, get(CGAL::vertex_point, mesh));
+  Prepared_mesh surface(execution, mesh, vertex_index, get(CGAL::vertex_point, mesh));
   const std::vector<internal::Vector> places = internal::places_of_vertices(execution, surface);
+  const std::string taken_alone =
+      internal::join_components_of_solids(execution, surface.mesh, places);
   internal::Flat_skeleton arrays = as_arrays(skeleton);
   internal::find_places(execution, surface.mesh, places, arrays);
   auto certificate = internal::certify_skeleton(
       execution, surface, places, vertex_index, get(boost::face_index, mesh), arrays, pairs,
       [&](internal::Index p) { return skeleton.names[p]; });
+  certificate.taken_alone = taken_alone;
   if(touches_itself_with_caps(execution, surface))
     internal::note_self_contact(certificate, surface.mesh.number_of_hubs > 0);
   return certificate;

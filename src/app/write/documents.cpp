@@ -347,9 +347,13 @@ Json json_of_edges_outside(const Skeleton_answer& answer) {
 
 Json json_of_certificate(const Skeleton_answer& answer) {
   const Skeleton_certificate& certificate = answer.certificate();
-  return {{"connected", certificate.connected}, {"inside", certificate.inside},
-          {"embedded", certificate.embedded},   {"cycles", certificate.basis},
-          {"failure", certificate.failure},     {"edges_outside", json_of_edges_outside(answer)}};
+  return {{"connected", certificate.connected},
+          {"inside", certificate.inside},
+          {"embedded", certificate.embedded},
+          {"cycles", certificate.basis},
+          {"failure", certificate.failure},
+          {"taken_alone", certificate.taken_alone},
+          {"edges_outside", json_of_edges_outside(answer)}};
 }
 
 // The points of a skeleton as a document numbers them: the nodes, and then those within arcs, in

@@ -198,11 +198,14 @@ std::string words_of_proof(const Skeleton_answer& answer) {
 
 // What has been proved, or why it has not.
 std::string words_of_certificate(const Skeleton_answer& answer) {
+  std::string text = answer.certificate().taken_alone;
+  if(!text.empty())
+    text += "\n";
   if(answer.certificate())
-    return words_of_proof(answer);
+    return text + words_of_proof(answer);
   constexpr std::size_t most_lines = 5;
   const std::vector<std::string> failures = lines_of(answer.certificate().failure);
-  std::string text = "not certified:\n";
+  text += "not certified:\n";
   for(std::size_t i = 0; i < (std::min)(failures.size(), most_lines); ++i)
     text += "  " + failures[i] + "\n";
   if(failures.size() > most_lines)

@@ -117,9 +117,12 @@ void check_skeleton(const Check_options& options, const Mesh& mesh, const Input_
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   const Answer loops = host_backend.solve(mesh, Solve_options(), bar);
   const auto certificate = certify_skeleton(mesh, record.lines, loops.pairs, throw_if_interrupted);
-  require_none(options.loops_file, lines_of(certificate.failure));
+  const std::string taken_alone =
+      certificate.taken_alone + (certificate.taken_alone.empty() ? "" : "\n");
+  if(!certificate)
+    require_none(options.loops_file, lines_of(taken_alone + certificate.failure));
   if(!options.is_quiet)
-    show_text(printable(options.loops_file) + ": " +
+    show_text(taken_alone + printable(options.loops_file) + ": " +
                   praise_of_skeleton(record.lines, loops.statistics.genus) + "\n",
               false);
 }

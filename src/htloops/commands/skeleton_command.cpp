@@ -175,7 +175,8 @@ constexpr char skeleton_description[] = R"(Computes a curve skeleton of a triang
 
 Its arcs run in the middle of the solid inside the surface. Each point has the radius of the
 largest ball inside. A connected surface of genus g has a connected skeleton with g independent
-cycles. Boundary curves are inlets, each with an end of the skeleton at its middle.
+cycles; cavities add theirs. Boundary curves are inlets, each with an end of the skeleton at
+its middle.
 Exact arithmetic certifies that all edges lie strictly inside, that no two of them cross, and
 that the cycles are a basis of H1 of the solid. If the mesh crosses itself, the skeleton is
 written uncertified, with the reason.

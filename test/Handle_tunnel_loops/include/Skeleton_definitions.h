@@ -117,6 +117,11 @@ inline std::size_t representative(std::vector<std::size_t>& parent, std::size_t 
   return i;
 }
 
+inline bool is_in_solid(const Exact_place& p,
+                        const Double_box& around,
+                        const std::vector<Triangle>& triangles,
+                        std::size_t component);
+
 /// The faces of a mesh and of the caps that close it: fans of faces around inlets, or around the
 /// means of curves that have none.
 template <typename Mesh> class Capped_surface
@@ -133,7 +138,7 @@ public:
       std::vector<Place> corners;
       for(const Vertex v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
         corners.push_back(place(v));
-      add_face(corners, component(target(halfedge(f, mesh), mesh)), -1);
+      add_face(corners, component_.at(target(halfedge(f, mesh), mesh)), -1);
     }
     std::set<Halfedge> seen;
     for(const Halfedge h : halfedges(mesh))
@@ -144,12 +149,17 @@ public:
       for(std::size_t k = 0; k < caps_[i].curve.size(); ++k)
         add_face({caps_[i].hub, caps_[i].curve[k], caps_[i].curve[(k + 1) % caps_[i].curve.size()]},
                  caps_[i].component, static_cast<int>(i));
+    join_cavities();
   }
 
-  std::size_t component(Vertex v) const { return component_.at(v); }
+  /// that of the outer surface of the piece of the solid.
+  std::size_t component(Vertex v) const { return outer_[component_.at(v)]; }
+  bool is_outer(std::size_t c) const { return outer_[c] == c; }
 
-  /// V - E + F of the capped surface is 2 - 2 g.
-  std::size_t genus(std::size_t c) const { return (2 - euler_[c]) / 2; }
+  /// V - E + F of each capped surface is 2 - 2 g; of all surfaces of a piece.
+  std::size_t genus(std::size_t c) const {
+    return (2 * std::count(outer_.begin(), outer_.end(), c) - euler_[c]) / 2;
+  }
   std::size_t number_of_components() const { return euler_.size(); }
 
   std::vector<Triangle> triangles;
@@ -199,7 +209,7 @@ private:
   };
 
   void add_cap(Halfedge first, std::set<Halfedge>& seen) {
-    Cap cap = {{}, {0., 0., 0.}, component(target(first, mesh_))};
+    Cap cap = {{}, {0., 0., 0.}, component_.at(target(first, mesh_))};
     Halfedge h = first;
     do {
       cap.curve.push_back(place(target(h, mesh_)));
@@ -211,6 +221,42 @@ private:
         cap.hub[d] += p[d] / double(cap.curve.size());
     ++euler_[cap.component];
     caps_.push_back(std::move(cap));
+  }
+
+  // A component bounds a cavity of the next one around it if that is an outer surface and the signs
+  // of their volumes differ.
+  void join_cavities() {
+    const std::size_t n = euler_.size();
+    std::vector<std::vector<std::size_t>> around(n);
+    std::vector<Exact::FT> volume(n, 0);
+    std::vector<const Triangle*> first(n, nullptr);
+    for(const Triangle& t : triangles) {
+      const auto to = [&t](int k) { return t.exact[k] - CGAL::ORIGIN; };
+      volume[t.component] += CGAL::determinant(to(0), to(1), to(2));
+      first[t.component] = &t;
+    }
+    std::vector<std::size_t> order(n);
+    for(std::size_t c = 0; c < n; ++c) {
+      outer_.push_back(order[c] = c);
+      for(std::size_t d = 0; d < n; ++d)
+        if(d != c && is_in_solid(first[c]->exact[0], first[c]->box, triangles, d))
+          around[c].push_back(d);
+    }
+    const auto is_farther_out = [&around](std::size_t c, std::size_t d) {
+      return around[c].size() < around[d].size();
+    };
+    std::stable_sort(order.begin(), order.end(), is_farther_out);
+    for(const std::size_t c : order)
+      if(!around[c].empty()) {
+        const std::size_t next =
+            *std::max_element(around[c].begin(), around[c].end(), is_farther_out);
+        if(outer_[next] == next && CGAL::sign(volume[c]) != CGAL::sign(volume[next])) {
+          outer_[c] = next;
+          euler_[next] += euler_[c];
+        }
+      }
+    for(Triangle& t : triangles)
+      t.component = outer_[t.component];
   }
 
   // Each inlet is that of one curve: those that are nearest to each other first.
@@ -238,7 +284,8 @@ private:
 
   const Mesh& mesh_;
   std::map<Vertex, std::size_t> component_;
-  std::vector<long> euler_; // by component
+  std::vector<long> euler_;        // by component
+  std::vector<std::size_t> outer_; // by component, that of the piece of the solid
   std::vector<Cap> caps_;
 };
 
@@ -551,6 +598,8 @@ Truth truth(const Mesh& mesh, const Skeleton& skeleton, const Pairs& pairs) {
     pieces[skeleton.component[p]] += parent[p] == p;
   }
   for(std::size_t c = 0; c < surface.number_of_components(); ++c) {
+    if(!surface.is_outer(c))
+      continue;
     const auto genus = static_cast<long>(surface.genus(c));
     const bool is_right = pieces[c] == 1 && number_of_edges[c] - number_of_points[c] + 1 == genus;
     truth.is_connected = truth.is_connected && is_right;
@@ -561,7 +610,7 @@ Truth truth(const Mesh& mesh, const Skeleton& skeleton, const Pairs& pairs) {
       truth.is_basis = false;
       continue;
     }
-    // In a cavity, the solid is beyond the surface, and tunnel loops bound on the bounded side.
+    // The faces of a component that is taken alone may look inside.
     bool is_basis = false;
     for(const auto type : {CGAL::Loop_type::HANDLE, CGAL::Loop_type::TUNNEL})
       is_basis = is_basis || abs(linking_determinant(mesh, surface, skeleton, pairs, type, c)) == 1;

@@ -3,6 +3,7 @@
 
 #include "Generated_soups.h"
 #include "Meshes_of_soups.h"
+#include "Skeleton_checks.h"
 #include "Skeleton_definitions.h"
 #include "Solids.h"
 
@@ -343,6 +344,31 @@ TEST(Curve_skeleton, IsInsideOfNestedShells) {
       soups.push_back(large);
   for(const Soup& soup : soups)
     expect_skeleton(mesh_of(soup));
+}
+
+// Rings in the core of rings, by turns solid and void, and round voids beside each other.
+TEST(Curve_skeleton, LiesInTheWallsOfRandomNests) {
+  generators::Random random(1);
+  for(int i = 0; i < number_of_cases(8); ++i) {
+    SCOPED_TRACE(i);
+    Soup soup;
+    double radius = 0.9;
+    for(std::size_t depth = 0, depths = 2 + random.below(3); depth < depths; ++depth) {
+      Soup ring = skeleton_checks::torus(2., radius, 8, 30);
+      if(depth % 2 != 0)
+        reverse_orientation(ring);
+      soup = skeleton_checks::together(std::move(soup), ring);
+      radius *= random.uniform(0.2, 0.9);
+    }
+    Soup ball = transformed(soup_of({"sphere", {300, 0, 0}}), 3., 20.);
+    for(const double shift : {-0.8, 0.8}) {
+      Soup hole =
+          transformed(soup_of({"sphere", {80, 0, 0}}), random.uniform(0.1, 1.2), 20. + shift);
+      reverse_orientation(hole);
+      ball = skeleton_checks::together(std::move(ball), hole);
+    }
+    expect_skeleton(mesh_of(skeleton_checks::together(std::move(soup), ball)));
+  }
 }
 
 TEST(Curve_skeleton, HasAnInletAtEachBoundaryCurve) {

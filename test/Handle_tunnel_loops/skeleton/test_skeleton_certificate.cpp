@@ -178,21 +178,48 @@ TEST(Skeleton_certificate, NamesEdgesThatMeet) {
 
 // ---- several components
 
-// A ring with a hollow core: both components have a cycle, one beside the other.
-TEST(Skeleton_certificate, TakesEachComponentByItself) {
+// A ring with a hollow core: in its wall are a cycle along the ring and one around the core.
+TEST(Skeleton_certificate, TakesAPieceOfTheSolidWithItsCavities) {
   Soup core = torus(2., 0.3, 8, 24);
+  const Soup outer = torus(2., 0.9, 12, 24);
+  const Mesh alike = mesh_of(together(outer, core));
   reverse_orientation(core);
-  const Mesh mesh = mesh_of(together(torus(2., 0.9, 12, 24), core));
-  const auto with = [&](double radius_of_outer, double radius_of_inner) {
+  const Mesh mesh = mesh_of(together(outer, core));
+  Line around = opened(circle({2, 0, 0}, {0.6, 0, 0}, {0, 0, 0.6}));
+  Graph both;
+  add_line(both, wound(2.6, 1, 0., 40), true, 0);
+  around.erase(around.begin());
+  add_line(both, around, false, 0);
+  add_edge(0, 40, both);
+  add_edge(num_vertices(both) - 1, 0, both);
+  EXPECT_TRUE(check(mesh, both));
+  const auto graph_along = [](double radius, std::size_t component) {
     Graph graph;
-    add_line(graph, wound(radius_of_outer, 1, 0., 40), true, 0);
-    add_line(graph, wound(radius_of_inner, 1, 0., 40), true, 1);
-    return check(mesh, graph);
+    add_line(graph, wound(radius, 1, 0., 40), true, component);
+    return graph;
   };
-  EXPECT_TRUE(with(2.6, 2.));
-  EXPECT_TRUE(with(2.1, 2.)); // within the core it is inside, too
-  expect_failure(with(2., 2.6), "edge 40-41 lies outside of component 1");
-  expect_failure(with(2.27, 2.), "of component 1");
+  const auto along = [&](const Mesh& of, double radius, std::size_t component) {
+    return check(of, graph_along(radius, component));
+  };
+  expect_failure(along(mesh, 2.6, 0), "has 1 cycle, but the genus is 2, with that of its cavities");
+  expect_failure(along(mesh, 2., 0), "lies outside of component 0");
+  expect_failure(along(mesh, 2.27, 0), "leaves through face");
+  expect_failure(CGAL::certify_curve_skeleton(mesh, graph_along(2.6, 1), find_loops(mesh)),
+                 "belongs to component 1, which is the wall of a cavity");
+  // A core that is oriented like the ring is no cavity.
+  Graph each = graph_along(2.1, 0);
+  add_line(each, wound(2., 1, 0., 40), true, 1);
+  const Certificate c = check(alike, each);
+  EXPECT_TRUE(c) << c.failure;
+  EXPECT_EQ(c.taken_alone,
+            "component 1 lies in component 0 with the same orientation: it is taken alone");
+  const Certificate crossing = CGAL::certify_curve_skeleton(
+      mesh_of(together(outer, torus(2.6, 0.9, 12, 24))), each, Pairs());
+  EXPECT_EQ(crossing.taken_alone,
+            "components 0 and 1 cross or touch each other: each is taken alone");
+}
+
+TEST(Skeleton_certificate, LinksRings) {
   // Rings that are linked with each other.
   const Mesh chain = mesh_of(linked_rings());
   Graph rings;

@@ -29,8 +29,8 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
-Which edges of a skeleton lie strictly inside the component that they belong to, each component by
-itself, and meet no face of any.
+Which edges of a skeleton lie strictly inside the piece of the solid that they belong to, and meet
+no face of any: inside are points below an odd number of faces of the surfaces that bound it.
 
 An edge that meets no face lies on one side of each component. So do all that are connected by such
 edges: the faces of the component above one point of them are counted. What is taken for a point is

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Inlets.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Solid_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -98,21 +99,7 @@ private:
     std::vector<std::vector<Index>> holders(cycles.parts().size());
     for(Index p = 0; p < skeleton.points.size(); ++p)
       if(std::vector<Index>& known = holders[cycles.part_of(p)]; known.empty())
-        known = holders_of(skeleton.points[p]);
-    return holders;
-  }
-
-  std::vector<Index> holders_of(const Vector& p) const {
-    std::vector<Index> above;
-    tree_.for_each_above(
-        p, p, [&](Index face) { above.push_back(mesh_.component[tree_.corners(face)[0]]); });
-    std::sort(above.begin(), above.end());
-    std::vector<Index> holders; // those that are above an odd number of times
-    for(Index c : above)
-      if(!holders.empty() && holders.back() == c)
-        holders.pop_back();
-      else
-        holders.push_back(c);
+        known = components_that_hold(skeleton.points[p], mesh_, tree_);
     return holders;
   }
 

@@ -58,6 +58,8 @@ public:
       , parts_of_component_(mesh.seeds.size()) {}
 
   Skeleton_certificate run() {
+    surfaces_ = numbers_of_surfaces();
+    genera_ = genera();
     if(!has_known_points())
       return std::move(certificate_);
     const Skeleton_cycles cycles(skeleton_);
@@ -121,6 +123,9 @@ private:
         fail("point " + name(p) + " belongs to component " +
              std::to_string(skeleton_.component_of[p]) + ", but the mesh has only " +
              std::to_string(mesh_.seeds.size()));
+      else if(surfaces_[skeleton_.component_of[p]] == 0)
+        fail("point " + name(p) + " belongs to component " +
+             std::to_string(skeleton_.component_of[p]) + ", which is the wall of a cavity");
       else
         continue;
       return false;
@@ -128,6 +133,15 @@ private:
     return true;
   }
 
+  // Of each piece of the solid, the surfaces that bound it.
+  std::vector<std::size_t> numbers_of_surfaces() const {
+    std::vector<std::size_t> surfaces(mesh_.seeds.size(), 0);
+    for(Index seed : mesh_.seeds)
+      ++surfaces[mesh_.component[seed]];
+    return surfaces;
+  }
+
+  // ... and the sum of their genera.
   std::vector<std::size_t> genera() const {
     std::vector<std::size_t> corners(mesh_.seeds.size(), 0), vertices(corners);
     for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
@@ -135,14 +149,13 @@ private:
       corners[mesh_.component[v]] += mesh_.ring(v).size();
     }
     std::vector<std::size_t> genera;
-    for(std::size_t c = 0; c < vertices.size(); ++c) // V - F / 2 = 2 - 2 g
-      genera.push_back((2 + corners[c] / 6 - vertices[c]) / 2);
+    for(std::size_t c = 0; c < vertices.size(); ++c) // V - F / 2 = 2 - 2 g, of each surface
+      genera.push_back((2 * surfaces_[c] + corners[c] / 6 - vertices[c]) / 2);
     return genera;
   }
 
   void check_parts(const Skeleton_cycles& cycles) {
     certificate_.connected = true;
-    genera_ = genera();
     for(Index p = 0; p < cycles.parts().size(); ++p)
       parts_of_component_[skeleton_.component_of[cycles.parts()[p].first]].push_back(p);
     std::vector<std::string> lines;
@@ -160,6 +173,8 @@ private:
 
   std::string problem_of_parts(Index c, const Skeleton_cycles& cycles) const {
     const std::vector<Index>& parts = parts_of_component_[c];
+    if(surfaces_[c] == 0)
+      return "";
     if(parts.empty())
       return " is missing";
     if(parts.size() > 1)
@@ -167,7 +182,8 @@ private:
     const std::size_t n = cycles.parts()[parts[0]].cycles.size();
     return n == genera_[c]
                ? ""
-               : " has " + cycles_in_words(n) + ", but the genus is " + std::to_string(genera_[c]);
+               : " has " + cycles_in_words(n) + ", but the genus is " + std::to_string(genera_[c]) +
+                     (surfaces_[c] == 1 ? "" : ", with that of its cavities");
   }
 
   // ---- inside
@@ -292,7 +308,7 @@ private:
     std::vector<char> is_wanted(skeleton_.edges.size(), 0);
     std::vector<Index> components;
     for(Index c = 0; c < genera_.size(); ++c)
-      if(!is_to_be_linked(c, cycles))
+      if(surfaces_[c] > 0 && !is_to_be_linked(c, cycles))
         certificate_.basis = false;
       else if(genera_[c] > 0) {
         components.push_back(c);
@@ -344,7 +360,7 @@ private:
   const std::vector<Vertex_walk>& walks_;
   const Face_number& face_number_;
   const Point_name& point_name_;
-  std::vector<std::size_t> genera_;                    // by component
+  std::vector<std::size_t> surfaces_, genera_;         // by component
   std::vector<std::vector<Index>> parts_of_component_; // by component
   std::vector<char> is_outside_;                       // by edge
   Skeleton_certificate certificate_;

@@ -38,8 +38,14 @@ using Point_name = std::function<std::string(Index)>;
 CGAL_HTL_CORE void
 place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& places);
 
+/// lets the components that bound the same piece of the solid be one, that of its outer surface
+/// (`Solid_pieces`). Returns which components are taken alone, and why, in lines of text.
+CGAL_HTL_CORE std::string
+join_components_of_solids(Execution execution, Flat_mesh& mesh, const std::vector<Vector>& places);
+
 /// proves what there is to prove of a skeleton. \p places are the coordinates of the vertices as
-/// the caller has them, hubs included (`place_hubs()`). \p loops are closed walks on the edges, by
+/// the caller has them, hubs included (`place_hubs()`), and the components of \p mesh are pieces of
+/// the solid (`join_components_of_solids()`). \p loops are closed walks on the edges, by
 /// their vertices: for each component as many as its genus, which are independent in the space
 /// outside, as handle loops are; more do no harm, nor do other loops, but that less can be proved.
 /// That the surface does not cross or touch itself is not looked at. Points are called by their

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Hub_places.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Places_of_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_checker.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/Solid_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 
 #include <string>
@@ -40,6 +41,16 @@ CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
 CGAL_HTL_CORE void
 place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& places) {
   Hub_places(execution, mesh, places).find();
+}
+
+CGAL_HTL_CORE std::string
+join_components_of_solids(Execution execution, Flat_mesh& mesh, const std::vector<Vector>& places) {
+  if(mesh.seeds.size() == 1)
+    return "";
+  const Solid_pieces pieces(execution, mesh, places);
+  for_each_index(execution, mesh.component.size(),
+                 [&](std::size_t v) { mesh.component[v] = pieces.outer()[mesh.component[v]]; });
+  return pieces.taken_alone();
 }
 
 CGAL_HTL_CORE void find_places(Execution execution,

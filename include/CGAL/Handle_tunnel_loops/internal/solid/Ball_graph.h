@@ -153,6 +153,7 @@ public:
     choose_balls();
     find_opposites();
     join_neighbors();
+    join_surfaces();
     graph_.link();
     put_balls_into_necks();
     graph_.link();
@@ -304,6 +305,74 @@ private:
       else
         graph_.apart.push_back(p);
     }
+  }
+
+  // The surface of a cavity has no neighbours on the one around it: what is not joined across the
+  // solid yet is joined where one is seen from the other, at the shortest distance first.
+  void join_surfaces() {
+    if(!wall_.has_cavities())
+      return;
+    Sets_of_indices joined = joined_samples();
+    struct Sight
+    {
+      double way;
+      Index from, piece, to; // a piece in the region of another sample
+    };
+    std::vector<Sight> sights;
+    for(Index s = 0; s < samples_.samples().size(); ++s)
+      if(const auto inward = balls_.inward_normal(face(s))) {
+        const auto [way, met] = wall_.first_on_way(place(s), *inward, face(s));
+        if(met == no_index || wall_.is_of_cap(met) || wall_.component(met) != component_of(s))
+          continue;
+        const Index piece = pieces_.piece_at(met, place(s) + way * *inward),
+                    to = samples_.region(piece);
+        if(to != no_index && joined.find(s) != joined.find(to))
+          sights.push_back({way, s, piece, to});
+      }
+    std::stable_sort(sights.begin(), sights.end(),
+                     [](const Sight& a, const Sight& b) { return a.way < b.way; });
+    for(const Sight& sight : sights)
+      if(joined.find(sight.from) != joined.find(sight.to) &&
+         (join_by_detour(sight.from, sight.to, false) ||
+          join_in_sight(sight.from, sight.piece, sight.to)))
+        joined.unite(sight.from, sight.to);
+  }
+
+  // Along the normal of a sample, across to a piece that it meets, and along the wall to the sample
+  // in the region of which that is.
+  bool join_in_sight(Index a, Index piece, Index b) {
+    constexpr int most_halvings = 12;
+    const std::vector<Way_along_wall::Step> way = way_along_wall_.way(way_along_wall_.walk(
+        {piece}, [&](Index p) { return p == samples_.samples()[b].piece; }, b, b));
+    if(way.empty())
+      return false;
+    Vector up = balls_.way(place(a), face(a)).front() - place(a);
+    for(int i = 0; i < most_halvings; ++i, up = 0.5 * up)
+      if(const Vector p = place(a) + up; !wall_.meets(p, way.front().point)) {
+        Index last = append(ball_at_place(a), p);
+        for(const Way_along_wall::Step& step : way)
+          last = append(last, step.point);
+        graph_.edges.push_back({last, ball_at_place(b)}); // along the normal
+        return true;
+      }
+    return false;
+  }
+
+  // Samples of one surface, and those of which balls are the same, or joined.
+  Sets_of_indices joined_samples() const {
+    Sets_of_indices joined(samples_.samples().size());
+    for(const Pair& p : neighbors_)
+      joined.unite(p.first, p.second);
+    std::vector<Index> sample(graph_.balls.size(), no_index); // by ball, one of those that have it
+    for(Index s = 0; s < graph_.ball_of_sample.size(); ++s)
+      if(Index& first = sample[graph_.ball_of_sample[s]]; first == no_index)
+        first = s;
+      else
+        joined.unite(first, s);
+    for(const auto& [a, b] : graph_.edges)
+      if(sample[a] != no_index && sample[b] != no_index)
+        joined.unite(sample[a], sample[b]);
+    return joined;
   }
 
   // Between large balls that leave some of an edge open, there may be no place that sees how narrow

@@ -66,6 +66,13 @@ public:
   const Face_tree::Corners& operator[](Index f) const { return faces_.corners(f); }
   Index component(Index f) const { return mesh_.component[faces_.corners(f)[0]]; }
   const Vector& corner(Index f, int k) const { return points_[faces_.corners(f)[k]]; }
+  /// whether a piece of the solid has several surfaces, which are one component then.
+  bool has_cavities() const {
+    for(Index c = 0; c < mesh_.seeds.size(); ++c)
+      if(mesh_.component[mesh_.seeds[c]] != c)
+        return true;
+    return false;
+  }
   bool is_of_cap(Index f) const {
     const Face_tree::Corners& corners = faces_.corners(f);
     return mesh_.number_of_hubs > 0 &&
