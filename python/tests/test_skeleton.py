@@ -53,6 +53,17 @@ def test_a_mesh_that_crosses_itself(torus):
     assert not S.certificate and "crosses" in S.certificate.failure
 
 
+def test_cavities():
+    V, F = htl.generate("sphere", faces=400)
+    in_turn = htl.curve_skeleton(np.vstack([V, 0.4 * V]), np.vstack([F, F[:, ::-1] + len(V)]))
+    distances, size = np.linalg.norm(in_turn.points, axis=1), np.linalg.norm(V, axis=1).max()
+    assert in_turn.certificate and in_turn.certificate.taken_alone == "" and not in_turn.components.any()
+    assert np.all((0.39 * size < distances) & (distances < size))
+    alike = htl.curve_skeleton(np.vstack([V, 0.4 * V]), np.vstack([F, F + len(V)]))
+    assert "component 1 lies in component 0 with the same orientation" in alike.certificate.taken_alone
+    assert set(alike.components) == {0, 1}
+
+
 def test_inlets(plate):
     S = htl.curve_skeleton(*plate)
     assert S.is_inlet.sum() == 4 and S.number_of_cycles == 0

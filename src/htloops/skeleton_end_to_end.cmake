@@ -31,6 +31,14 @@ expect_equal("${cycles}" "3")
 string(JSON vertices GET "${skeleton}" mesh vertices)
 expect_length("${skeleton}" ${vertices} vertex_point)
 
+# The wall of a solid with a cavity has the cycles of both surfaces.
+run(0 generate shell --genus 2 --faces 3000 -o shell.off --quiet)
+run(0 skeleton shell.off -o shell.json)
+string(REGEX REPLACE ".*genus ([0-9]+) in 2 components.*" "\\1" genus "${output}")
+expect_match("${output}" "certified: [^\n]*; the ${genus} cycles are a basis of H1 of the solid\n")
+run(0 check shell.off shell.json)
+expect_match("${output}" "its ${genus} cycles are a basis of H1 of the solid")
+
 # Arcs lead from node to node; their points within are numbered after these.
 set(points ${nodes})
 set(edges 0)
