@@ -1,6 +1,8 @@
 # The targets headers_alone_public and headers_alone_internal: one source file per header that
 # includes nothing else, so that each header proves to include what it uses. Built by the tests of
 # the same names, not by default; headers_alone is both. That of the internal ones has the label "long".
+# Of the public ones all others follow the first, in order, and the last, in reverse: so of any two each
+# comes before the other once.
 file(GLOB_RECURSE _htl_headers
   RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}/include/*.h")
 set(_htl_internal_headers ${_htl_headers})
@@ -10,9 +12,18 @@ list(FILTER _htl_internal_headers INCLUDE REGEX "/internal/")
 add_custom_target(headers_alone)
 function(_htl_add_headers_alone name)
   set(sources)
+  list(GET ARGN 0 -1 ends)
   foreach(header IN LISTS ARGN)
     set(source "${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${header}.cpp")
-    file(GENERATE OUTPUT "${source}" CONTENT "#include <${header}>\n")
+    set(content "#include <${header}>\n")
+    if(name STREQUAL "headers_alone_public" AND header IN_LIST ends)
+      list(TRANSFORM ARGN REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE content)
+      if(NOT header STREQUAL ARGV1)
+        list(REVERSE content)
+      endif()
+      list(JOIN content "" content)
+    endif()
+    file(GENERATE OUTPUT "${source}" CONTENT "${content}")
     list(APPEND sources "${source}")
   endforeach()
   add_library(${name} OBJECT EXCLUDE_FROM_ALL ${sources})

@@ -14,10 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_halfedges.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -130,15 +129,13 @@ private:
     std::vector<char> is_left(halfedges_.size(), 1);
     for(const Index h : collapses_)
       is_left[h] = is_left[halfedges_.twin(h)] = 0;
-    boost::disjoint_sets_with_storage<> parts(mesh_.number_of_vertices());
+    Sets_of_indices parts(mesh_.number_of_vertices());
     std::mt19937_64 random;
     for(Index h = 0; h < halfedges_.size(); ++h) {
       const Index u = halfedges_.source(h), v = halfedges_.target(h);
       if(!is_left[h] || h > halfedges_.twin(h) || mesh_.is_spoke(u, v))
         continue;
-      if(parts.find_set(u) != parts.find_set(v))
-        parts.union_set(u, v);
-      else {
+      if(!parts.unite(u, v)) {
         outside_forest_.push_back(h);
         set_number(h, random());
       }

@@ -14,6 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
+// Before compressed_sparse_row_graph.hpp: that has a boost::detail::get(), behind which the sets do
+// not see those of property maps.
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/property_map/function_property_map.hpp>
