@@ -324,6 +324,42 @@ TEST(Throats, AreTheSameTurnedAndInAnotherOrder) {
   }
 }
 
+Soup scaled(Soup soup, double factor) {
+  for(auto& point : soup.points)
+    for(double& x : point)
+      x *= factor;
+  return soup;
+}
+
+// On a coarse torus it is chance which of its equally short loops are found, and how far from
+// vertices. Scaling by powers of two rounds nothing.
+TEST(Throats, DoNotDependOnTheUnit) {
+  generators::Random random(3);
+  using Size = std::pair<std::uint32_t, std::uint32_t>;
+  for(const auto& [along, around] : {Size(10, 5), Size(20, 9), Size(26, 11), Size(27, 11)}) {
+    SCOPED_TRACE(testing::Message() << along << " x " << around);
+    const Soup soup = ring([](double) { return 0.8; }, along, around);
+    const Throats throats = checked_throats(soup);
+    EXPECT_EQ(throats.size(), 2u);
+    for(const double unit : {1. / 25.4, 25.4, 1e-3, 1e3, 0x1p-40, 0x1p40}) {
+      const Throats others = throats_of(mesh_of(scaled(soup, unit)));
+      ASSERT_EQ(others.size(), throats.size()) << unit;
+      int exponent = 0;
+      const double rounding = std::frexp(unit, &exponent) == 0.5 ? 0. : 1e-6;
+      for(std::size_t i = 0; i < throats.size(); ++i) {
+        const double length = unit * throats[i].loop.length();
+        EXPECT_NEAR(others[i].loop.length(), length, rounding * length) << unit;
+        EXPECT_TRUE(std::isinf(others[i].prominence)) << unit;
+      }
+    }
+    for(int i = 0; i < 4; ++i) {
+      Soup turned = soup;
+      random_surfaces::turn(turned, random);
+      EXPECT_EQ(throats_of(mesh_of(turned)).size(), 2u);
+    }
+  }
+}
+
 TEST(Throats, AreThoseOfACoarserMesh) {
   const Throats throats = checked_throats(tree(12000)), others = checked_throats(tree(50000));
   const std::vector<double> lengths = lengths_of(throats), other_lengths = lengths_of(others);

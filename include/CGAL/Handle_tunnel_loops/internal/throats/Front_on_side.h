@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/throats/Length_by_distance.h>
 #include <CGAL/Handle_tunnel_loops/internal/throats/surface_distances.h>
 
@@ -90,9 +91,10 @@ public:
     lengths_.start(size);
     paths_.clear();
     order_.clear();
-    first_open_ = bin_ = arrived_ = 0;
-    staying_.clear();
+    first_open_ = bin_ = 0;
     strips_.clear();
+    strips_there_.clear();
+    strip_at_.clear();
     arrivals_.clear();
     stays_ = longest_ = 0.;
     same_up_to_ = std::numeric_limits<double>::infinity();
@@ -138,11 +140,26 @@ private:
     bool is_passed = false;
   };
 
-  /// Part of a face, from the loop to one or two of its corners.
+  /// Part of a face, from the loop to one or two of its corners: \p p is on an edge to \p a, and \p
+  /// q on one to \p b.
   struct Strip
   {
     Vector p, q;
     Index a, b;
+  };
+
+  /// A segment where the front stays. It comes to one end first, and to the other last.
+  struct Arrival
+  {
+    double first, last, length;
+
+    // The integral, up to a distance, of what has been arrived at.
+    double up_to(double distance) const {
+      const double d = distance - first;
+      return d <= 0.           ? 0.
+             : distance < last ? length * d * d / (2. * (last - first))
+                               : length * (d - (last - first) / 2.);
+    }
   };
 
   /// What is by a part less than the loop is shorter.
@@ -159,12 +176,15 @@ private:
       for(const Index v : {end(c), end(d)})
         if(!mesh_.is_hub(v))
           reach(v, distance_to_segment(mesh_.points[v], p, q));
-      for(const Index v : {other_end(c), other_end(d)})
-        staying_.emplace_back(v, norm(q - p) / 2.);
       if(!mesh_.is_hub(end(c)) && !mesh_.is_hub(end(d)))
         strips_.push_back({p, q, end(c), end(d)});
+      if(mesh_.is_hub(other_end(c)) || mesh_.is_hub(other_end(d)))
+        continue;
+      for(const Index v : {other_end(c), other_end(d)})
+        strip_at_.emplace_back(v, strips_there_.size());
+      strips_there_.push_back({p, q, other_end(c), other_end(d)});
     }
-    std::sort(staying_.begin(), staying_.end());
+    make_set(strip_at_);
   }
 
   static double distance_to_segment(const Vector& v, const Vector& p, const Vector& q) {
@@ -185,11 +205,15 @@ private:
       const Strip& strip = strips_.back();
       if(!paths_[strip.a].is_passed || !paths_[strip.b].is_passed)
         return;
-      lengths_.add({{{strip.p, 0.}, {strip.q, 0.}, corner(strip.b)}});
-      if(strip.a != strip.b)
-        lengths_.add({{{strip.p, 0.}, corner(strip.a), corner(strip.b)}});
+      add(strip, 0., 0.);
       strips_.pop_back();
     }
+  }
+
+  void add(const Strip& strip, double at_p, double at_q) {
+    lengths_.add({{{strip.p, at_p}, {strip.q, at_q}, corner(strip.b)}});
+    if(strip.a != strip.b)
+      lengths_.add({{{strip.p, at_p}, corner(strip.a), corner(strip.b)}});
   }
 
   // ---- on its way
@@ -200,17 +224,17 @@ private:
     paths_[v].is_passed = true;
     order_.push_back(v);
     const Ring ring = mesh_.ring(v);
-    double staying = cut_->is_end(v) ? length_of_loop_at(v) : 0.;
+    come_to_loop(v);
     for(Index p = 0; p < ring.size(); ++p) {
       const Index a = ring[p], b = ring[ring.next(p)];
-      if(mesh_.is_hub(a))
-        staying += 0.5 * (mesh_.edge_length(v, b) + mesh_.edge_length(v, ring[ring.previous(p)]));
-      else if(paths_[a].is_passed && paths_[b].is_passed && is_open(v, a) && is_open(v, b) &&
-              is_open(a, b))
+      if(mesh_.is_hub(a)) {
+        for(const Index w : {b, ring[ring.previous(p)]})
+          if(paths_[w].is_passed)
+            stay(paths_[w].distance, paths_[v].distance, mesh_.edge_length(v, w));
+      } else if(paths_[a].is_passed && paths_[b].is_passed && is_open(v, a) && is_open(v, b) &&
+                is_open(a, b))
         lengths_.add({corner(v), corner(a), corner(b)});
     }
-    if(staying > 0.)
-      arrivals_.emplace_back(paths_[v].distance, staying);
     relax_around(
         mesh_, v, [&](Index u) { return paths_[u].distance; },
         [&](Index u, Index w) { return is_open(u, w); },
@@ -220,13 +244,27 @@ private:
         });
   }
 
-  // Of its other side.
-  double length_of_loop_at(Index v) const {
-    double sum = 0.;
-    for(auto it = std::lower_bound(staying_.begin(), staying_.end(), std::make_pair(v, 0.));
-        it != staying_.end() && it->first == v; ++it)
-      sum += it->second;
-    return sum;
+  // From its other side, as far as the corners there are passed.
+  void come_to_loop(Index v) {
+    for(auto it =
+            std::lower_bound(strip_at_.begin(), strip_at_.end(), std::make_pair(v, std::size_t(0)));
+        it != strip_at_.end() && it->first == v; ++it)
+    {
+      const Strip& strip = strips_there_[it->second];
+      if(!paths_[strip.a].is_passed || !paths_[strip.b].is_passed)
+        continue;
+      const auto over_edge = [this](Index end, const Vector& place) {
+        return paths_[end].distance + norm(place - mesh_.points[end]);
+      };
+      const double at_p = over_edge(strip.a, strip.p), at_q = over_edge(strip.b, strip.q);
+      add(strip, at_p, at_q);
+      stay(at_p, at_q, norm(strip.q - strip.p));
+    }
+  }
+
+  void stay(double at_one_end, double at_the_other, double length) {
+    const auto [first, last] = std::minmax(at_one_end, at_the_other);
+    arrivals_.push_back({first, last, length});
   }
 
   Length_by_distance::Corner corner(Index v) const { return {mesh_.points[v], paths_[v].distance}; }
@@ -236,11 +274,9 @@ private:
   // As far as all faces are passed.
   void look() {
     take_strips();
-    if(!strips_.empty())
-      return;
     const double known = known_up_to();
     for(; !has_slipped_ && lengths_.begin(bin_ + 1) <= known; ++bin_) {
-      if(bin_ > lengths_.number_of_bins() && arrived_ == arrivals_.size()) {
+      if(bin_ > lengths_.number_of_bins() && arrivals_.empty()) {
         is_at_end_ = true;
         return;
       }
@@ -257,16 +293,20 @@ private:
   // In a bin, of which those before have been asked for.
   double mean_of_staying(double begin, double end) {
     double in_bin = 0.;
-    const double before = stays_;
-    for(; arrived_ < arrivals_.size() && arrivals_[arrived_].first < end; ++arrived_) {
-      const auto& [distance, length] = arrivals_[arrived_];
-      in_bin += length * (std::min)((end - distance) / (end - begin), 1.);
-      stays_ += length;
-    }
-    return before + in_bin;
+    for(const Arrival& arrival : arrivals_)
+      in_bin += arrival.up_to(end) - arrival.up_to(begin);
+    const double mean = stays_ + in_bin / (end - begin);
+    const auto rest = std::partition(arrivals_.begin(), arrivals_.end(),
+                                     [end](const Arrival& a) { return a.last > end; });
+    std::for_each(rest, arrivals_.end(), [this](const Arrival& a) { stays_ += a.length; });
+    arrivals_.erase(rest, arrivals_.end());
+    return mean;
   }
 
+  // Nothing is as long as vertices beside the loop wait.
   double known_up_to() {
+    if(!strips_.empty())
+      return 0.;
     const auto is_open_there = [&](Index v) {
       const Ring ring = mesh_.ring(v);
       return std::any_of(ring.begin(), ring.end(),
@@ -283,11 +323,11 @@ private:
   double size_ = 0., barrier_ = 0.;
   Shortest_paths<Label> paths_;
   Length_by_distance lengths_;
-  std::vector<Index> order_;                      // what is passed
-  std::vector<std::pair<Index, double>> staying_; // of the other side, by vertex
-  std::vector<Strip> strips_;
-  std::vector<std::pair<double, double>> arrivals_; // where it stays: distances, lengths
-  std::size_t first_open_ = 0, bin_ = 0, arrived_ = 0;
+  std::vector<Index> order_;                            // what is passed
+  std::vector<Strip> strips_, strips_there_;            // on its side of the loop, and on the other
+  std::vector<std::pair<Index, std::size_t>> strip_at_; // of those there, by vertex, sorted
+  std::vector<Arrival> arrivals_;                       // that may not be over
+  std::size_t first_open_ = 0, bin_ = 0;
   double stays_ = 0., longest_ = 0., same_up_to_ = 0.;
   bool has_slipped_ = false, is_at_end_ = false;
 };
