@@ -207,7 +207,7 @@ htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {
   try {
     std::vector<htloops::Loop_record> loops = loop_records(record);
     for(std::size_t i = 0; i < loops.size(); i += 2)
-      all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1]), std::nullopt});
+      all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1])});
   } catch(const py::index_error&) {
     throw std::invalid_argument("the arrays of the loops are inconsistent");
   }

@@ -33,6 +33,8 @@ list(APPEND HTLOOPS_APP_SOURCES
   file_names.cpp
   interrupt.cpp
   numbers.cpp
+  check/claims.cpp
+  check/document_comparison.cpp
   draw/gltf.cpp
   draw/layers.cpp
   draw/lines.cpp

@@ -33,7 +33,7 @@ file(READ "${FOLDER}/loops.json" loops)
 string(JSON mesh GET "${loops}" mesh)
 function(write_json file mesh target)
   file(WRITE "${FOLDER}/${file}" "{\"format\": \"htloops-skeleton/1\", \"mesh\": ${mesh},
-    \"nodes\": [{\"id\": 0, \"position\": [1, 0, 0], \"radius\": 0.3, \"kind\": \"bend\"}],
+    \"nodes\": [{\"id\": 0, \"position\": [1, 0, 0], \"kind\": \"bend\"}],
     \"arcs\": [{\"source\": 0, \"target\": ${target}, \"component\": 0,
       \"polyline\": [${json_points}, [1, 0, 0]]}]}")
 endfunction()

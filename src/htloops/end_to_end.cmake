@@ -271,7 +271,7 @@ string(JSON wrong SET "${loops}" pairs 0 tunnel "${handle}")
 string(JSON wrong SET "${wrong}" pairs 0 handle length 7)
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 check mesh.off wrong.json)
-expect_match("${errors}" "homologous.*pair 0, handle: the length is given as 7, but is [1-9]")
+expect_match("${errors}" "homologous.*pair 0, handle: length is given as 7, but is [1-9]")
 # All that is said besides is checked, too.
 string(JSON wrong SET "${loops}" mesh genus 77)
 string(JSON wrong SET "${wrong}" mesh boundaries 1)
@@ -282,12 +282,12 @@ string(JSON wrong SET "${wrong}" pairs 0 tunnel bounds_alone "\"neither\"")
 string(JSON wrong SET "${wrong}" linking "[[0, 1, 5], [900, 1, 1]]")
 file(WRITE "${FOLDER}/wrong.json" "${wrong}")
 run(1 check mesh.off wrong.json)
-foreach(words IN ITEMS "the number of components is given as 2, but is 1"
-    "the number of boundary curves is given as 1, but is 0" "the genus is given as 77, but is [0-9]+"
+foreach(words IN ITEMS "mesh: components is given as 2, but is 1"
+    "mesh: boundaries is given as 1, but is 0" "mesh: genus is given as 77, but is [0-9]+"
     "pair 0, handle: bounds is given as outside, but is inside"
     "pair 0, tunnel: bounds_alone is given as neither, but is outside"
     "linking .0, 1. is given as 5, but is [-0-9]+; [0-9]+ linking numbers are wrong"
-    "pair 1: the size is given as 0.5, but is 0[.]")
+    "pair 1: size is given as 0.5, but is 0[.]")
   expect_match("${errors}" "${words}")
 endforeach()
 file(WRITE "${FOLDER}/wrong.json" "{ \"format\": \"htloops/1\" ")

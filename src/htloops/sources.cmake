@@ -1,6 +1,5 @@
 set(HTLOOPS_COMMANDS_SOURCES
   commands/check_command.cpp
-  commands/claims.cpp
   commands/clean_command.cpp
   commands/cut_command.cpp
   commands/generate_command.cpp

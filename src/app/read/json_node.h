@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <tuple>
 
@@ -81,21 +80,6 @@ struct Json_node
     return value.get<std::string>();
   }
 
-  std::array<std::size_t, 2> counts() const {
-    if(!value.is_array() || value.size() != 2 || !value[0].is_number_unsigned() ||
-       !value[1].is_number_unsigned())
-      fail("is not an array of two non-negative integers");
-    return {value[0].get<std::size_t>(), value[1].get<std::size_t>()};
-  }
-
-  std::array<long long, 3> integers() const {
-    check_is_triple();
-    for(const Json& x : value)
-      if(!x.is_number_integer())
-        fail("has an element that is not an integer");
-    return {value[0].get<long long>(), value[1].get<long long>(), value[2].get<long long>()};
-  }
-
   /// fails if a document has another format than a known one; `source` says what writes that.
   void require_format(const char* known, const char* source) const {
     const Json_node format = member("format");
@@ -143,13 +127,6 @@ private:
     return x.get<double>();
   }
 };
-
-/// for what older files do not say.
-template <typename Value, typename Read>
-void read_if_said(const Json_node& node, const char* key, std::optional<Value>& value, Read read) {
-  if(node.has(key))
-    value = (node.member(key).*read)();
-}
 
 /// what `read(node)` makes of the document in a file; throws `Failure`, naming what is missing or
 /// of the wrong type.

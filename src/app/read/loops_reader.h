@@ -31,7 +31,6 @@ struct Location_record
 struct Loop_record
 {
   double length = 0.;
-  std::optional<std::string> bounds, bounds_alone;
   std::vector<Location_record> locations;
   std::vector<std::array<double, 3>> points;
 };
@@ -39,15 +38,11 @@ struct Loop_record
 struct Pair_record
 {
   Loop_record handle, tunnel;
-  std::optional<double> size; ///< as all that older files do not say
 
   const Loop_record& loop(Loop_type type) const {
     return type == Loop_type::HANDLE ? handle : tunnel;
   }
 };
-
-/// Row, column and value of a linking number.
-using Linking_record = std::array<long long, 3>;
 
 /// A boundary curve, and what was found to go around the same.
 struct Boundary_record
@@ -56,17 +51,16 @@ struct Boundary_record
   std::optional<Loop_record> waist;
 };
 
-/// What a file of the format "htloops/1" says of a mesh.
+/// What a file of the format "htloops/1" says of where loops are, and of which mesh.
 struct Loops_record
 {
   std::size_t number_of_vertices = 0;
   std::size_t number_of_faces = 0;
-  std::optional<std::size_t> number_of_components, number_of_boundaries, genus;
   Basis_kind basis_kind = Basis_kind::PURE;
   std::vector<Pair_record> pairs;
-  std::optional<std::vector<Linking_record>> linking;
   bool has_boundaries = false; ///< older files do not say
   std::vector<Boundary_record> boundaries;
+  std::vector<Loop_record> throats;
 };
 
 /// reads a file of the format "htloops/1"; throws `Failure`, naming what is missing or of the wrong
@@ -76,10 +70,11 @@ Loops_record read_loops_json(const Input_file& file);
 /// Loops from a file as loops on a mesh, as far as they are ones.
 struct Bound_loops
 {
-  Basis_kind basis_kind;             ///< what they are meant to be
-  Pairs pairs;                       ///< complete only if there is no problem
-  bool has_boundaries = false;       ///< whether the file tells of them
-  std::vector<Loop> curves, waists;  ///< of the boundary
+  Basis_kind basis_kind;            ///< what they are meant to be
+  Pairs pairs;                      ///< complete only if there is no problem
+  bool has_boundaries = false;      ///< whether the file tells of them
+  std::vector<Loop> curves, waists; ///< of the boundary
+  std::vector<Loop> throats;
   bool are_placed = true;            ///< whether all that is named is on the mesh
   std::vector<std::string> problems; ///< in words, naming pair, kind and position; worst first
 };

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
 #include <CGAL/certify_curve_skeleton.h>
@@ -75,6 +76,13 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
   const internal::Boundary_check<Mesh, decltype(vertex_index), decltype(face_index), Loop> check(
       mesh, vertex_index, face_index);
   return check.problems(find_boundaries(mesh, false).curves, curves, waists);
+}
+
+bool is_closed_on_surface(const Mesh& mesh, const Loop& loop) {
+  internal::Loop_certifier certifier(mesh, get(boost::vertex_index, mesh),
+                                     get(boost::face_index, mesh));
+  certifier.set_loops(internal::Execution(), std::vector<const Loop*>{&loop});
+  return certifier.are_closed_on_surface();
 }
 
 bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {

@@ -30,6 +30,9 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
                                                 const std::vector<Loop>& curves,
                                                 const std::vector<Loop>& waists);
 
+/// whether a loop that was found elsewhere is a closed curve on the surface.
+bool is_closed_on_surface(const Mesh& mesh, const Loop& loop);
+
 /// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
 /// the surface is not the boundary of a solid. Decided exactly. Takes about as long as reading the
 /// mesh, unless faces are so long and thin that the boxes of most of them meet; throws

@@ -106,4 +106,24 @@ std::vector<Channel> find_channels(const Mesh& mesh, const Measures& measures) {
   return channels;
 }
 
+std::vector<double> distances_to_surface(const Mesh& mesh, const std::vector<Point>& points) {
+  // Squares may be too large, or too small. Powers of two round nothing.
+  double largest = 0.;
+  for(const Point& p : mesh.points())
+    largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  const int exponent = largest > 0. ? std::ilogb(largest) : 0;
+  const auto scaled = [exponent](const Point& p) {
+    return Point(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent),
+                 std::ldexp(p.z(), -exponent));
+  };
+  Triangles triangles;
+  for(const Triangle& t : triangles_of(mesh))
+    triangles.emplace_back(scaled(t[0]), scaled(t[1]), scaled(t[2]));
+  const Tree tree(triangles.begin(), triangles.end());
+  std::vector<double> distances;
+  for(const Point& p : points)
+    distances.push_back(std::ldexp(std::sqrt(tree.squared_distance(scaled(p))), exponent));
+  return distances;
+}
+
 } // namespace htloops

@@ -32,6 +32,9 @@ struct Channel
 /// than half the radius of the throat. Takes a time that is about linear in faces and in points.
 std::vector<Channel> find_channels(const Mesh& mesh, const Measures& measures);
 
+/// the distances of points from the faces of a mesh, in any unit.
+std::vector<double> distances_to_surface(const Mesh& mesh, const std::vector<Point>& points);
+
 } // namespace htloops
 
 #endif // HTLOOPS_CHANNELS_H

@@ -17,6 +17,17 @@
 #include <iterator>
 
 namespace htloops {
+namespace {
+
+Throats wanted_throats(const Pairs& pairs, const CGAL::Handle_tunnel_loops::Certificate& of_pairs) {
+  Throats throats;
+  throats.are_wanted = true;
+  throats.are_sides_known = of_pairs.handles_bound_inside_alone == pairs.size() &&
+                            of_pairs.tunnels_bound_outside_alone == pairs.size();
+  return throats;
+}
+
+} // namespace
 
 Throats find_throats(const Mesh& mesh,
                      const Pairs& pairs,
@@ -24,10 +35,7 @@ Throats find_throats(const Mesh& mesh,
                      const std::vector<Mesh::Vertex_index>& through,
                      double least_prominence) {
   const Stopwatch stopwatch;
-  Throats throats;
-  throats.are_wanted = true;
-  throats.are_sides_known = certificate.handles_bound_inside_alone == pairs.size() &&
-                            certificate.tunnels_bound_outside_alone == pairs.size();
+  Throats throats = wanted_throats(pairs, certificate);
   CGAL::throats<All_threads_tag>(
       mesh, pairs, std::back_inserter(throats.all),
       CGAL::parameters::through_vertices(through,
@@ -38,6 +46,18 @@ Throats find_throats(const Mesh& mesh,
        }))
       throats.in_vain.push_back(v);
   throats.seconds = stopwatch.seconds();
+  return throats;
+}
+
+Throats classified_throats(const Mesh& mesh,
+                           const Pairs& pairs,
+                           const CGAL::Handle_tunnel_loops::Certificate& certificate,
+                           const std::vector<Loop>& loops) {
+  Throats throats = wanted_throats(pairs, certificate);
+  throats.all =
+      internal::Throats_of_caller(internal::execution_of<All_threads_tag>(), mesh,
+                                  get(CGAL::vertex_point, mesh), get(boost::vertex_index, mesh))
+          .classified(pairs, loops);
   return throats;
 }
 

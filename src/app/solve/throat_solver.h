@@ -38,6 +38,13 @@ Throats find_throats(const Mesh& mesh,
                      const std::vector<Mesh::Vertex_index>& through,
                      double least_prominence = 0.25);
 
+/// what is known by their classes of throats that were found elsewhere, which are closed curves on
+/// the surface: all but how prominent they are.
+Throats classified_throats(const Mesh& mesh,
+                           const Pairs& pairs,
+                           const CGAL::Handle_tunnel_loops::Certificate& certificate,
+                           const std::vector<Loop>& loops);
+
 } // namespace htloops
 
 #endif // HTLOOPS_THROAT_SOLVER_H

@@ -414,20 +414,24 @@ Json json_of_arc(const Skeleton_answer& answer,
           {"radii", array_of(arc.points, [&](auto p) { return graph[p].radius; })}};
 }
 
-} // namespace
+// A document as a value, member by member as a `Json_writer` has it.
+struct Json_value
+{
+  Json value = Json::object();
 
-std::string text_of(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+  void member(const char* name, Json member) { value[name] = std::move(member); }
 
-void write_loops_json(const std::string& target,
-                      const Mesh& mesh,
-                      const Answer& answer,
-                      const Run_record& run) {
+  template <typename Range, typename Json_of>
+  void array(const char* name, const Range& range, Json_of json_of) {
+    value[name] = array_of(range, json_of);
+  }
+};
+
+template <typename Document>
+void tell_loops(Document& out, const Mesh& mesh, const Answer& answer, const Run_record& run) {
   const auto& linking = answer.certificate.linking;
   const Ground on = {mesh, run.cuts,
                      components_of_vertices(mesh, answer.statistics.number_of_components)};
-  Json_writer out(target);
   out.member("format", "htloops/1");
   out.member("tool", version());
   Json mesh_json = json_of_mesh(mesh, answer.statistics);
@@ -468,7 +472,57 @@ void write_loops_json(const std::string& target,
     out.array("throats", answer.throats.all, [&](const Throat& throat) {
       return json_of(throat.loop, on, json_of(answer.throats, throat));
     });
+}
+
+template <typename Document>
+void tell_skeleton(Document& out, const Skeleton_answer& answer, const Run_record& run) {
+  const Points_in_document points(answer);
+  out.member("format", "htloops-skeleton/1");
+  out.member("tool", version());
+  Json mesh = json_of_mesh(answer.vertex_point.size(), answer.statistics.number_of_faces,
+                           answer.statistics);
+  mesh["file"] = as_utf8(run.mesh_file);
+  out.member("mesh", mesh);
+  out.member("options", run.options);
+  out.member("threads", answer.number_of_threads);
+  out.member("timings", {{"read", run.read_seconds},
+                         {"loops", answer.statistics.seconds_of_loops},
+                         {"skeleton", answer.statistics.seconds_of_skeleton},
+                         {"total", answer.total_seconds}});
+  out.member("balls", answer.statistics.number_of_balls);
+  out.member("cycles", number_of_cycles(answer.graph));
+  out.member("certificate", json_of_certificate(answer));
+  std::size_t id = 0;
+  out.array("nodes", points.nodes(),
+            [&](std::size_t point) { return json_of_node(answer.graph, point, id++); });
+  std::size_t arc = 0;
+  out.array("arcs", answer.arcs,
+            [&](const Skeleton_arc&) { return json_of_arc(answer, arc++, points); });
+  // Vertices without faces belong to no point: null.
+  out.member("vertex_point", array_of(answer.vertex_point, [&](std::size_t point) {
+               return point == Skeleton_answer::none ? Json() : Json(points.number(point));
+             }));
+}
+
+} // namespace
+
+std::string text_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_loops_json(const std::string& target,
+                      const Mesh& mesh,
+                      const Answer& answer,
+                      const Run_record& run) {
+  Json_writer out(target);
+  tell_loops(out, mesh, answer, run);
   out.finish();
+}
+
+Json loops_document(const Mesh& mesh, const Answer& answer, const Run_record& run) {
+  Json_value document;
+  tell_loops(document, mesh, answer, run);
+  return std::move(document.value);
 }
 
 void write_reeb_json(const std::string& target,
@@ -498,34 +552,15 @@ void write_reeb_json(const std::string& target,
 void write_skeleton_json(const std::string& file,
                          const Skeleton_answer& answer,
                          const Run_record& run) {
-  const Points_in_document points(answer);
   Json_writer out(file);
-  out.member("format", "htloops-skeleton/1");
-  out.member("tool", version());
-  Json mesh = json_of_mesh(answer.vertex_point.size(), answer.statistics.number_of_faces,
-                           answer.statistics);
-  mesh["file"] = as_utf8(run.mesh_file);
-  out.member("mesh", mesh);
-  out.member("options", run.options);
-  out.member("threads", answer.number_of_threads);
-  out.member("timings", {{"read", run.read_seconds},
-                         {"loops", answer.statistics.seconds_of_loops},
-                         {"skeleton", answer.statistics.seconds_of_skeleton},
-                         {"total", answer.total_seconds}});
-  out.member("balls", answer.statistics.number_of_balls);
-  out.member("cycles", number_of_cycles(answer.graph));
-  out.member("certificate", json_of_certificate(answer));
-  std::size_t id = 0;
-  out.array("nodes", points.nodes(),
-            [&](std::size_t point) { return json_of_node(answer.graph, point, id++); });
-  std::size_t arc = 0;
-  out.array("arcs", answer.arcs,
-            [&](const Skeleton_arc&) { return json_of_arc(answer, arc++, points); });
-  // Vertices without faces belong to no point: null.
-  out.member("vertex_point", array_of(answer.vertex_point, [&](std::size_t point) {
-               return point == Skeleton_answer::none ? Json() : Json(points.number(point));
-             }));
+  tell_skeleton(out, answer, run);
   out.finish();
+}
+
+Json skeleton_document(const Skeleton_answer& answer, const Run_record& run) {
+  Json_value document;
+  tell_skeleton(document, answer, run);
+  return std::move(document.value);
 }
 
 void write_removal_json(const std::string& file, const Removal_report& report) {

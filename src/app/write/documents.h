@@ -47,6 +47,9 @@ void write_loops_json(const std::string& target,
                       const Answer& answer,
                       const Run_record& run);
 
+/// the same as a value.
+Json loops_document(const Mesh& mesh, const Answer& answer, const Run_record& run);
+
 /// writes a Reeb graph in the format "htloops-reeb/1"; every number reads back as exactly itself.
 void write_reeb_json(const std::string& target,
                      const Mesh& mesh,
@@ -58,6 +61,9 @@ void write_reeb_json(const std::string& target,
 void write_skeleton_json(const std::string& file,
                          const Skeleton_answer& answer,
                          const Run_record& run);
+
+/// the same as a value.
+Json skeleton_document(const Skeleton_answer& answer, const Run_record& run);
 
 /// writes what was removed and what was refused in the format "htloops-remove/1"; the name "-" is
 /// the standard output.

@@ -7,22 +7,23 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
+#include "app/check/claims.h"
 #include "app/file_names.h"
-#include "app/interrupt.h"
-#include "app/read/skeleton_reader.h"
-#include "app/solve/backends.h"
-#include "app/solve/certification.h"
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
 #include "app/write/tables.h"
-#include "commands/claims.h"
 #include "commands/command.h"
 #include "commands/options.h"
 #include "terminal/terminal.h"
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <set>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace htloops {
 namespace {
@@ -31,11 +32,6 @@ struct Check_options : Mesh_options
 {
   std::string loops_file;
 };
-
-// The names of handles and tunnels are wrong, and nothing else.
-bool has_wrong_types_only(const Certificate& c) {
-  return c.closed_on_surface && c.basis && c.pairing && !c.types;
-}
 
 // What has been found to be right, and what is no failure but should be known.
 std::string praise(const Certificate& certificate, bool has_boundary, bool is_boundary_of_solid) {
@@ -59,44 +55,31 @@ std::string praise(const Certificate& certificate, bool has_boundary, bool is_bo
          summary_of_sides(certificate) + indented(remarks);
 }
 
-void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
-  lines.insert(lines.end(), more.begin(), more.end());
-}
-
-// The worst first: loops that are no basis, then what the file says that is not so.
-std::vector<std::string> findings(const Loops_record& record,
-                                  const Mesh& mesh,
-                                  const Bound_loops& loops,
-                                  const Certificate& certificate,
-                                  bool is_boundary_of_solid) {
-  std::vector<std::string> all;
-  // Names mean nothing where there is no inside.
-  if(!certificate && (is_boundary_of_solid || !has_wrong_types_only(certificate)))
-    append(all, lines_of(certificate.failure));
-  if(loops.has_boundaries)
-    append(all, problems_of_boundaries(mesh, loops.curves, loops.waists));
-  append(all, loops.problems);
-  append(all, false_claims_on_surface(record, mesh));
-  append(all, false_claims_on_loops(record, mesh, loops.pairs, certificate));
-  return all;
-}
-
-void check_loops(const Check_options& options, const Mesh& mesh, const Input_file& file) {
-  const Loops_record record = read_loops_json(file);
-  const Bound_loops loops = bind_loops(record, mesh);
-  if(!loops.are_placed) { // so nothing can be said of them
-    std::vector<std::string> all = loops.problems;
-    append(all, false_claims_on_surface(record, mesh));
-    require_none(options.loops_file, all);
+// What nobody has looked at, by the reason.
+std::string words_on(const std::map<std::string, std::set<std::string>>& not_compared) {
+  std::string words;
+  for(const auto& [reason, keys] : not_compared) {
+    words += words.empty() ? "\nnot checked: " : "; ";
+    const char* separator = "";
+    for(const std::string& key : keys)
+      words += std::exchange(separator, ", ") + printable(key);
+    words += " (" + reason + ")";
   }
-  const Certificate certificate = certify(mesh, loops.pairs, loops.basis_kind, true);
-  const bool is_boundary_of_solid =
-      loops.pairs.empty() || !touches_itself(mesh, throw_if_interrupted);
-  require_none(options.loops_file,
-               findings(record, mesh, loops, certificate, is_boundary_of_solid));
+  return words;
+}
+
+void check_loops_in(const Check_options& options,
+                    const Mended_mesh& mended,
+                    const Input_file& file) {
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  const Checked_loops checked = check_loops(file, mended, bar);
+  bar.end();
+  require_none(options.loops_file, checked.problems);
   if(!options.is_quiet)
     show_text(printable(options.loops_file) + ": " +
-                  praise(certificate, !CGAL::is_closed(mesh), is_boundary_of_solid) + "\n",
+                  praise(checked.certificate, !CGAL::is_closed(mended.mesh),
+                         checked.is_boundary_of_solid) +
+                  words_on(checked.not_compared) + "\n",
               false);
 }
 
@@ -109,38 +92,31 @@ std::string praise_of_skeleton(const Skeleton_lines& skeleton, std::size_t genus
                        : "its " + std::to_string(genus) + " cycles are a basis of H1 of the solid");
 }
 
-void check_skeleton(const Check_options& options, const Mesh& mesh, const Input_file& file) {
-  const Skeleton_record record = read_skeleton(file);
-  const std::array<std::size_t, 2> size = {mesh.number_of_vertices(), mesh.number_of_faces()};
-  if(record.mesh_size && *record.mesh_size != size)
-    require_none(options.loops_file, {mesh_difference(*record.mesh_size, size)});
+void check_skeleton_in(const Check_options& options, const Mesh& mesh, const Input_file& file) {
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
-  const Answer loops = host_backend.solve(mesh, Solve_options(), bar);
-  const auto certificate = certify_skeleton(mesh, record.lines, loops.pairs, throw_if_interrupted);
-  const std::string taken_alone =
-      certificate.taken_alone + (certificate.taken_alone.empty() ? "" : "\n");
-  if(!certificate)
-    require_none(options.loops_file, lines_of(taken_alone + certificate.failure));
+  const Checked_skeleton checked = check_skeleton(file, mesh, bar);
+  bar.end();
+  require_none(options.loops_file, checked.problems);
   if(!options.is_quiet)
-    show_text(taken_alone + printable(options.loops_file) + ": " +
-                  praise_of_skeleton(record.lines, loops.statistics.genus) + "\n",
+    show_text(checked.taken_alone + printable(options.loops_file) + ": " +
+                  praise_of_skeleton(checked.lines, checked.genus) +
+                  words_on(checked.not_compared) + "\n",
               false);
 }
 
 void run(const Check_options& options) {
   check_mesh_format(options.written_mesh_file);
   const Mended_mesh mended = read_mended_mesh(options);
-  const Mesh& mesh = mended.mesh;
   write_read_mesh(options, mended);
   const Input_file file(options.loops_file);
   const std::size_t first = file.content().find_first_not_of(" \t\r\n");
   if(is_skeleton_file(file))
-    check_skeleton(options, mesh, file);
+    check_skeleton_in(options, mended.mesh, file);
   else if(first == std::string_view::npos || file.content()[first] != '{')
     fail_to_read(file.name(), "it is not JSON, and has none of the endings of skeletons: " +
                                   endings_of_skeletons());
   else
-    check_loops(options, mesh, file);
+    check_loops_in(options, mended, file);
 }
 
 constexpr char check_description[] =
@@ -149,9 +125,9 @@ constexpr char check_description[] =
 Loops must be a basis of H1(S; Z) of their mesh, and each tunnel loop must cross its handle loop
 once (except in a shortest basis). The report counts the loops that bound inside and outside.
 
-The certificate is computed from the two files alone. Everything else in the JSON must agree with
-it: points, lengths, sizes, sides, linking numbers, the genus. All errors are listed, the worst
-first. A loop that bounds on neither side is named, but is not an error. It is an error if the
+The certificate is computed from the two files alone. Every other value in the JSON is computed
+again from the loops and the mesh, and must agree. The keys that the mesh does not determine, such
+as timings and options, are listed as not checked. All errors are listed, the worst first. A loop that bounds on neither side is named, but is not an error. It is an error if the
 handle loop and the tunnel loop of a pair are swapped.
 
 A skeleton must lie strictly inside, except for ends in the middle of boundary curves. It must not

@@ -218,7 +218,7 @@ TEST_F(Loops_json, says_which_place_is_not_on_the_mesh) {
                  [](json& d) { d["pairs"][0]["handle"]["points"][0][0] = 7; });
   expect_problem("3 locations, but 2 points",
                  [](json& d) { d["pairs"][0]["handle"]["points"].erase(2); });
-  expect_problem("pair 1, tunnel: the length is given as 7",
+  expect_problem("pair 1, tunnel: length is given as 7",
                  [](json& d) { d["pairs"][1]["tunnel"]["length"] = 7; });
 }
 
@@ -232,7 +232,7 @@ TEST_F(Loops_json, says_the_worst_first_and_all_of_it) {
   EXPECT_EQ(problems[0],
             "pair 1, tunnel, position 1: the ratio 1.0000000000000002 is not between 0 and 1");
   EXPECT_NE(problems[1].find("the point does not match"), std::string::npos);
-  EXPECT_NE(problems[2].find("the length is given as 7"), std::string::npos);
+  EXPECT_NE(problems[2].find("length is given as 7"), std::string::npos);
 }
 
 TEST_F(Loops_json, says_once_that_the_mesh_was_scaled_or_moved) {

@@ -5,6 +5,7 @@
 #include "Meshes_of_soups.h"
 #include "Small_answer.h"
 #include "Temporary_folder.h"
+#include "Washer.h"
 
 #include "app/clean/soup_cleaning.h"
 #include "app/solve/backends.h"
@@ -21,8 +22,6 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
-
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -104,24 +103,7 @@ Answer solved(const Mesh& mesh, Solve_options options = {}) {
   return answer;
 }
 
-// A washer with eight sides, outside and inside.
-Mesh bored_mesh() {
-  ::Soup soup;
-  constexpr std::uint32_t sides = 8;
-  constexpr std::array<std::array<double, 2>, 4> profile = {
-      {{1., 0.}, {3., 0.}, {3., 1.}, {1., 1.}}};
-  for(std::uint32_t i = 0; i < sides; ++i)
-    for(std::uint32_t k = 0; k < 4; ++k) {
-      const double angle = 2. * CGAL_PI * i / sides;
-      soup.points.push_back(
-          {profile[k][0] * std::cos(angle), profile[k][0] * std::sin(angle), profile[k][1]});
-      const std::uint32_t a = 4 * i + k, b = 4 * ((i + 1) % sides) + k,
-                          c = 4 * ((i + 1) % sides) + (k + 1) % 4, d = 4 * i + (k + 1) % 4;
-      soup.triangles.push_back({a, b, c});
-      soup.triangles.push_back({a, c, d});
-    }
-  return mesh_of<Mesh>(soup);
-}
+Mesh bored_mesh() { return mesh_of<Mesh>(washer()); }
 
 TEST_F(Loops_schema, fits_what_is_written) {
   const Mesh closed = mesh_of<Mesh>(Recipe{"multi-torus", {3000, 3, 0}});

@@ -91,23 +91,46 @@ public:
                       OutputIterator out) const {
     if(!(least_prominence > 0.))
       throw std::invalid_argument("throats(): the least prominence must be positive");
-    std::vector<Crossing_loop> known;
-    for(const auto& pair : pairs)
-      for(const auto* loop : {&pair.handle(), &pair.tunnel()})
-        known.push_back(beside(*loop));
-    if(known.size() != 2 * surface_.mesh.genus)
-      throw std::invalid_argument("throats(): the number of pairs must equal the genus");
+    const std::vector<Crossing_loop> known = loops_of(pairs);
     Throat_limits limits = {least_prominence, {}};
     for(const Vertex v : through)
       limits.through_vertices.push_back(place_of(v));
     const Classes_by_pairs classes(surface_.mesh, known);
     std::size_t number = 0;
-    for(const Flat_throat& flat : find_flat_throats(execution_, surface_.mesh, known, limits))
-      *out++ = throat(flat, classes, traits, number++);
+    for(const Flat_throat& flat : find_flat_throats(execution_, surface_.mesh, known, limits)) {
+      const auto loop = surface_.converter(traits)(flat.loop, Loop_type::HANDLE, number++);
+      Throat<TriangleMesh, Point> throat = in_class(loop, classes.of(flat.loop), classes);
+      throat.prominence = surface_.mesh.in_units_of_caller(flat.prominence * flat.length);
+      for(const Index v : flat.through)
+        throat.through.push_back(surface_.vertices[v]);
+      *out++ = std::move(throat);
+    }
     return out;
   }
 
+  /// what is known of throats by their classes, for loops that were found elsewhere, and are closed
+  /// curves on the surface.
+  template <typename PairRange, typename Loop>
+  std::vector<Throat<TriangleMesh, Point>> classified(const PairRange& pairs,
+                                                      const std::vector<Loop>& loops) const {
+    const Classes_by_pairs classes(surface_.mesh, loops_of(pairs));
+    std::vector<Throat<TriangleMesh, Point>> throats;
+    for(const Loop& loop : loops)
+      throats.push_back(in_class(loop, classes.of(beside(loop)), classes));
+    return throats;
+  }
+
 private:
+  template <typename PairRange> std::vector<Crossing_loop> loops_of(const PairRange& pairs) const {
+    std::vector<Crossing_loop> loops;
+    for(const auto& pair : pairs)
+      for(const auto* loop : {&pair.handle(), &pair.tunnel()})
+        loops.push_back(beside(*loop));
+    if(loops.size() != 2 * surface_.mesh.genus)
+      throw std::invalid_argument("throats(): the number of pairs must equal the genus");
+    return loops;
+  }
+
   Index place_of(Vertex v) const {
     const std::size_t number = get(index_, v);
     if(number >= place_.size() || place_[number] == no_index)
@@ -126,27 +149,21 @@ private:
     return loop_along(surface_.mesh, std::move(walk));
   }
 
-  template <typename GeomTraits>
-  Throat<TriangleMesh, Point> throat(const Flat_throat& flat,
-                                     const Classes_by_pairs& classes,
-                                     const GeomTraits& traits,
-                                     std::size_t number) const {
+  template <typename Loop>
+  static Throat<TriangleMesh, Point>
+  in_class(const Loop& loop, const Sparse_numbers& numbers, const Classes_by_pairs& classes) {
     Throat<TriangleMesh, Point> throat;
-    throat.prominence = surface_.mesh.in_units_of_caller(flat.prominence * flat.length);
-    const Sparse_numbers numbers = classes.of(flat.loop);
     throat.is_separating = numbers.empty();
     throat.bounds_inside = throat.bounds_outside = true;
     for(const auto& entry : numbers)
       (entry.first % 2 == 0 ? throat.bounds_inside : throat.bounds_outside) = false;
     Loop_type type =
         throat.bounds_outside && !throat.bounds_inside ? Loop_type::TUNNEL : Loop_type::HANDLE;
-    if(const auto loop = classes.loop_of_class(numbers)) {
-      throat.pair = *loop / 2;
-      type = *loop % 2 == 0 ? Loop_type::HANDLE : Loop_type::TUNNEL;
+    if(const auto same = classes.loop_of_class(numbers)) {
+      throat.pair = *same / 2;
+      type = *same % 2 == 0 ? Loop_type::HANDLE : Loop_type::TUNNEL;
     }
-    throat.loop = surface_.converter(traits)(flat.loop, type, number);
-    for(const Index v : flat.through)
-      throat.through.push_back(surface_.vertices[v]);
+    throat.loop = loop.with_type(type);
     return throat;
   }
 
