@@ -187,11 +187,16 @@ void run(const Clean_command_options& options) {
             (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
         options.result_file == "-" || options.json_file == "-" || options.page_file == "-" ||
             options.map_file == "-");
+  std::string missed;
   if(!result.is_closed())
+    missed = "the result is not closed: " +
+             counted(result.after.boundaries, "boundary curve is", "boundary curves are") + " left";
+  if(const std::string words = words_of_missed_genus(options.genus, result.after.genus);
+     !words.empty())
+    missed += (missed.empty() ? "" : ", and ") + words;
+  if(!missed.empty())
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
-                  "the result is not closed: " +
-                      counted(result.after.boundaries, "boundary curve is", "boundary curves are") +
-                      " left" + (options.is_dry_run ? "" : "; it was written all the same"));
+                  missed + (options.is_dry_run ? "" : "; it was written all the same"));
 }
 
 constexpr char clean_description[] =
@@ -211,7 +216,7 @@ crossing is made. The steps, in order (leave some out with --skip):
 
 constexpr char clean_examples[] =
     R"(Exit codes: 0 the result is closed; 2 wrong usage; 3 the file cannot be read; 4 the result is
-not closed (it is written all the same), or the mesh cannot be repaired.
+not closed, or --genus is not reached (it is written all the same), or the mesh cannot be repaired.
 
 Examples:
   htloops clean model.glb solid.stl               remove inner walls, channels and small parts

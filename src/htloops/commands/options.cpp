@@ -593,6 +593,12 @@ void require_none(const std::string& loops_file, const std::vector<std::string>&
                   printable(loops_file) + " fails its certificate:" + indented(problems));
 }
 
+std::string words_of_missed_genus(const std::optional<std::size_t>& wanted, std::size_t genus) {
+  return !wanted || genus <= *wanted
+             ? ""
+             : "genus " + std::to_string(genus) + " is left, not " + std::to_string(*wanted);
+}
+
 Bound_loops read_loops_on(const Mesh& mesh, const std::string& loops_file) {
   Bound_loops loops = bind_loops(read_loops_json(loops_file), mesh);
   require_none(loops_file, loops.problems);

@@ -230,6 +230,9 @@ parse_length(const std::string& option, const std::string& text, double whole = 
 void check_length_of_mesh(const std::string& option, const std::string& text, double diagonal);
 void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options);
 
+/// that more handles are left than `--genus` asks for; empty if there are not.
+std::string words_of_missed_genus(const std::optional<std::size_t>& wanted, std::size_t genus);
+
 /// the lines, indented, each after a line break; not too many of them.
 std::string indented(const std::vector<std::string>& lines);
 

@@ -226,7 +226,19 @@ words_of_time(const Removal_answer& removal, double loops_seconds, double read_s
 
 std::string
 table_and_summary(const Remove_options& options, const Removal_report& report, bool is_dry_run) {
-  return table_of_removals(report, options.show_all) + summary(report, is_dry_run);
+  const bool has_refused = !report.refused.empty() || !report.refused_necks.empty();
+  return table_of_removals(report, options.show_all) + summary(report, is_dry_run) +
+         (has_refused && !options.is_forced
+              ? "--force also removes where that is not a repair, or more faces would intersect\n"
+              : "");
+}
+
+// What was asked for by number is either reached, or said not to be.
+void check_genus(const Remove_options& options, const Removal_report& report) {
+  if(const std::string missed = words_of_missed_genus(options.genus, report.genus_after);
+     !missed.empty())
+    throw Failure(Exit_code::UNACCEPTABLE_MESH,
+                  missed + (options.is_dry_run ? "" : "; the mesh was written all the same"));
 }
 
 // Who has not said what is to go sees what there is, and nothing is written.
@@ -274,6 +286,7 @@ void run(const Remove_options& options) {
                   words_of_time(removal, loops_seconds, read_seconds) +
                   (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
               is_output_taken(options));
+  check_genus(options, removal.report);
 }
 
 constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
@@ -282,8 +295,8 @@ A handle is cut along its handle loop, or its hole is filled along its tunnel lo
 closed by caps that meet the surface only at their rims. The rest of the mesh is unchanged; the
 numbers and colors of its vertices are kept if the output format can store them.
 A handle is refused if neither way is possible, or if the result would not be a repair. The table
-names it with the reason; this is not an error. Without a selection, it lists what
---all would do, and exits with code 2.
+names it with the reason; this is not an error, but exit code 4 if --genus is not reached. Without a
+selection, it lists what --all would do, and exits with code 2.
 )";
 
 constexpr char remove_examples[] = R"(Examples:

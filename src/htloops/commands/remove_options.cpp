@@ -49,6 +49,16 @@ std::pair<std::size_t, std::optional<Removal_method>> parse_pair(const std::stri
   return {number, way->second};
 }
 
+// Each has one way.
+void check_pairs(const std::vector<std::string>& texts) {
+  std::map<std::size_t, std::optional<Removal_method>> ways;
+  for(const std::string& text : texts) {
+    const auto [number, way] = parse_pair(text);
+    if(ways.try_emplace(number, way).first->second != way)
+      throw wrong_usage("--pairs: pair " + std::to_string(number) + " is given two ways");
+  }
+}
+
 std::optional<double> parse_diameter(const std::string& text) {
   if(text.empty())
     return std::nullopt;
@@ -121,7 +131,8 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
              methods);
   command.add_flag("--force", options.is_forced,
                    "remove handles even if that is not a repair: if the bounding\n"
-                   "box would grow, a cap would be far larger than its hole, ...");
+                   "box would grow, a cap would be far larger than its hole, more\n"
+                   "faces would intersect, ...");
   add_precision_option(command, options.precision);
   add_yes_option(command, options.is_sure, "--shorter-than, --necks, --channels or --noise-below");
   command
@@ -175,8 +186,7 @@ void check_remove_options(const Remove_options& options) {
   parse_length("--noise-below", options.noise_below);
   parse_precision(options.precision);
   box_of(options.box);
-  for(const std::string& pair : options.pairs)
-    parse_pair(pair);
+  check_pairs(options.pairs);
   if(!options.bores.empty()) {
     parse_range(options.bores);
     if(methods.at(options.method) == Removal_method::CUT)
