@@ -58,22 +58,29 @@ one of these conditions holds:
 - A cap would be farther from the old surface than half the length of the loop (except for bores
   whose mouths are closed flush), or surface that is removed together with solid would be as far
   from the caps.
+- More pairs of faces would intersect than before.
 
 If no way remains, the handle is refused, and the reason includes the value that exceeded its limit.
-Set `Removal_options::force` to skip these conditions.
+Set `Removal_options::force` to skip these conditions. `Shape_change::crossings` is then how many
+more pairs of faces intersect.
 
 The removal of each handle reduces the genus by exactly one and splits off no component. This is a
 theorem: the removed strips are annuli along loops that do not separate the surface, and both
 properties are checked by counting. The genus of the result is counted again before anything is
-written. The result is oriented and manifold, and it has the boundary of the input. It has *no
-intersection that was not there before*: exact predicates test the caps against the whole surface
-and against each other. Coordinates are taken as doubles for these tests (coordinates of an exact
-kernel are rounded). If no way of removal fits, the handle is *refused*: the report gives the
-reason, and the handle stays as it was. Refused handles are tried again, both after and before the
-removal of others. Ways of removal that nearly always fail on a surface, because it crosses itself
-everywhere, are not tried for all handles. No larger handle is removed in place of a refused one.
-Vertices and faces outside the replaced parts keep their descriptors and their values in property
-maps.
+written. The result is oriented and manifold, and it has the boundary of the input. *It does not
+intersect itself where the input did not*: exact predicates test the caps against the whole surface
+and against each other. Where the input does, caps may intersect what the faces that they replace
+have intersected, but nothing else, and, unless forced, in no more pairs of faces. (The parts of
+faces that are divided along a loop count as one.) Coordinates are taken as doubles for these tests
+(coordinates of an exact kernel are rounded). If no way of removal fits, the handle is *refused*:
+the report gives the reason, and the handle stays as it was. Before that, as long as some handles
+are removed and others are not, the loops of the surface are computed anew and those that are left
+are tried along them, as in a call for the result: a second call for all handles removes nothing
+more. (On surfaces with boundary, new loops may avoid the boundary in another way, so this is not
+guaranteed.) Refused handles are also tried before the others. Ways of removal that nearly always
+fail on a surface, because it crosses itself everywhere, are not tried for all handles. No larger
+handle is removed in place of a refused one. Vertices and faces outside the replaced parts keep
+their descriptors and their values in property maps.
 
 Handles are removed in order of their sizes. The size of a handle is the length of the loop that is
 tried first. The parameters select the handles: a handle is removed if it satisfies all conditions,
@@ -82,8 +89,7 @@ another one, this loop is rerouted around the caps and remains a loop of its han
 become much longer, or if the handle cannot be removed along it, the function uses a nearby loop
 that does not separate the surface and has at most twice the length. It does not do so if the
 method is `Removal_method::CUT` or `Removal_method::FILL`, because it is not known in advance which
-of the two the removal will be. Otherwise the function computes the loops of the current surface
-again and uses those at the place of the loops of the handle.
+of the two the removal will be.
 
 If you set `Removal_options::maximal_neck_length`, *necks* are removed. A neck is a loop that
 separates the surface: it goes around the last of the bridges that join two shells, or through the

@@ -73,7 +73,7 @@ py::dict words_of(const htl::Shape_change& change) {
                   "volume_added"_a = change.volume_added, "cap_area"_a = change.cap_area,
                   "cap_ratio"_a = change.cap_ratio, "displacement"_a = change.displacement,
                   "burial"_a = change.burial, "sharpest_angle"_a = change.sharpest_angle,
-                  "box_growth"_a = change.box_growth);
+                  "box_growth"_a = change.box_growth, "crossings"_a = change.crossings);
 }
 
 py::list records_of(const std::vector<htl::Removed_handle>& removed) {

@@ -65,6 +65,7 @@ def remove_handles(
         changes the shape less
     precision : for noise_below: the largest relative error of a measure, 0.001 to 0.2
     force : also remove handles where the result is not a repair, for example where the bounding box would grow
+        or more faces would intersect
     loops : the loops of this mesh; computed by default
     threads, progress : as for `loops`
 
@@ -78,7 +79,8 @@ def remove_handles(
         the whole mesh, measures how the shape differs: volume_removed, volume_added, cap_area; cap_ratio, the
         largest area of a cap over that of a circle as long as its rim; displacement, the largest distance of a
         cap from the old surface; burial, the largest distance from the caps of what was taken out with solid;
-        sharpest_angle, at an edge of a cap, in degrees; box_growth. Further keys:
+        sharpest_angle, at an edge of a cap, in degrees; box_growth; crossings, how many more pairs of faces
+        intersect, 0 unless forced. Further keys:
         vertex_origin : (n',): for each vertex the same vertex of the given mesh, or -1 if it is new
         face_parent : (m',): for each face the face of the given mesh that it is, or is a part of (at the rims of
             caps), or -1 for faces of caps

@@ -97,8 +97,11 @@ struct Shape_change
   double sharpest_angle = 180.; ///< the smallest dihedral angle at an edge of a cap, in degrees;
                                 ///< 180 if it is flat
   double box_growth = 0.;       ///< the distance by which a cap leaves the old bounding box
+  std::size_t crossings = 0;    ///< how many more pairs of faces intersect; 0 unless forced. Of
+                                ///< handles removed together, the first one has them all
 
-  /// Adds another change: volumes and areas are summed, and the worst of all other values is kept.
+  /// Adds another change: volumes, areas and numbers are summed, and the worst of all other values
+  /// is kept.
   Shape_change& operator+=(const Shape_change& other) {
     volume_removed += other.volume_removed;
     volume_added += other.volume_added;
@@ -108,6 +111,7 @@ struct Shape_change
     burial = (std::max)(burial, other.burial);
     sharpest_angle = (std::min)(sharpest_angle, other.sharpest_angle);
     box_growth = (std::max)(box_growth, other.box_growth);
+    crossings += other.crossings;
     return *this;
   }
 };

@@ -263,7 +263,8 @@ Json json_of(const Shape_change& change) {
           {"displacement", change.displacement},
           {"burial", change.burial},
           {"sharpest_angle", change.sharpest_angle},
-          {"box_growth", change.box_growth}};
+          {"box_growth", change.box_growth},
+          {"crossings", change.crossings}};
 }
 
 Json json_of(const Removed_handle& handle) {

@@ -659,6 +659,9 @@ std::string summary(const Removal_report& report, bool is_dry_run) {
             std::to_string(report.components_after) + ", " +
             counted(report.removed_necks.size(), "neck", "necks") + " cut, " +
             std::to_string(report.refused_necks.size()) + " refused\n";
+  if(const std::size_t crossings = report.change().crossings; crossings > 0)
+    text += counted(crossings, "more pair of faces intersects", "more pairs of faces intersect") +
+            " than before\n";
   return text;
 }
 

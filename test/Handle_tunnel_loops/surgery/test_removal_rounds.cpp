@@ -4,6 +4,7 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
@@ -13,11 +14,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_removal_rounds {
@@ -27,6 +31,7 @@ using impl::Index;
 using impl::Removal_effort;
 using impl::Removal_task;
 using State = Removal_task::State;
+using Arrays = CGAL::Handle_tunnel_loops::Triangle_arrays<Mesh::Point>;
 
 // A surface under surgery, and a task for each of its handles.
 struct Handles
@@ -119,7 +124,6 @@ TEST(Handles_that_failed, AreTakenOutTogetherWithOthers) {
         Handles some = handles;
         for(Removal_task& task : some.tasks) {
           task.state = State::REFUSED;
-          task.is_settled = true;
         }
         some.tasks[first].state = State::OPEN;
         some.tasks[first].region = Choice{Choice::WHOLE, loop, rings};
@@ -129,6 +133,59 @@ TEST(Handles_that_failed, AreTakenOutTogetherWithOthers) {
         most_together = (std::max)(most_together, number - left);
       }
   EXPECT_GT(most_together, 1);
+}
+
+// What is left of a surface, as a file would have it.
+Arrays written(const impl::Surgery_mesh& mesh) {
+  std::vector<Index> number(mesh.vertex_bound());
+  std::vector<Arrays::Point> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for(Index v = 0; v < mesh.vertex_bound(); ++v)
+    if(mesh.outgoing(v) != impl::no_index) {
+      number[v] = static_cast<Index>(points.size());
+      points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+    }
+  for(Index f = 0; f < mesh.face_bound(); ++f)
+    if(mesh.is_alive(f))
+      triangles.push_back(
+          {number[mesh.corners(f)[0]], number[mesh.corners(f)[1]], number[mesh.corners(f)[2]]});
+  return {std::move(points), triangles};
+}
+
+// ... after others were removed: nothing is known of what was tried before.
+TEST(Handles_that_failed, AreTriedAgainAsInTheResultOnceItIsRead) {
+  generators::Random random(3);
+  for(const char* kind : {"multi-torus", "chain", "gyroid"}) {
+    Handles handles(kind, 4000, 5);
+    for(Removal_task& task : handles.tasks)
+      if(random.below(2) == 0)
+        task.state = State::KEPT;
+    handles.remove(Removal_effort::GIVEN_LOOPS);
+    for(Removal_task& task : handles.tasks)
+      if(task.state == State::KEPT) {
+        task.state = State::REFUSED;
+        task.comes_first = true;
+        task.region = impl::Region_choice{impl::Region_choice::WHOLE, 0, 3};
+      }
+    handles.mesh.forget_order();
+    impl::Loops_anew(impl::Execution(), handles.mesh).give_to(handles.tasks);
+    std::vector<CGAL::Handle_tunnel_pair<Arrays>> pairs;
+    const Arrays result = written(handles.mesh);
+    CGAL::handle_tunnel_loops(result, std::back_inserter(pairs));
+    std::vector<double> expected;
+    for(const auto& pair : pairs)
+      expected.push_back((std::min)(pair.handle().length(), pair.tunnel().length()));
+    std::sort(expected.begin(), expected.end());
+    std::vector<double> lengths;
+    for(const Removal_task& task : handles.tasks)
+      if(task.state != State::REMOVED) {
+        EXPECT_EQ(task.state, State::OPEN);
+        lengths.push_back(task.choices.front().length);
+        EXPECT_FALSE(task.comes_first || task.region);
+      }
+    EXPECT_FALSE(lengths.empty() || lengths.size() == handles.tasks.size());
+    EXPECT_EQ(lengths, expected) << kind;
+  }
 }
 
 TEST(Ways_that_hardly_ever_do, AreGivenUpBetweenRounds) {

@@ -1,3 +1,4 @@
+#include "Mesh_corpus.h"
 #include "Meshes_of_soups.h"
 #include "random_input.h"
 #include "with.h"
@@ -10,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/remove_handles.h>
 
@@ -354,17 +356,33 @@ TEST(Handle_removal, IsForcedToRuinAShape) {
 
 // A power of two is no difference at all.
 TEST(Handle_removal, IsTheSameAtAnyScale) {
-  for(const Recipe& of : {recipe("torus", 400, 1), recipe("chain", 3000, 3)}) {
-    Mesh expected = mesh_of(of);
-    CGAL::remove_handles(expected);
-    for(const int exponent : {-990, -700, 300, 660}) {
-      Mesh mesh = mesh_of(of);
+  for(const Mesh& at_first : {mesh_of(recipe("torus", 400, 1)), mesh_of(recipe("chain", 1500, 3)),
+                              mesh_of(recipe("plates", 600, 2)), csaszar_torus()})
+  {
+    Mesh expected = at_first;
+    const htl::Removal_report expected_report = CGAL::remove_handles(expected);
+    for(const int exponent : {-990, -700, -200, -166, -133, 150, 200, 300, 660}) {
+      Mesh mesh = at_first;
       for(const auto v : mesh.vertices()) {
         const Mesh::Point& p = mesh.point(v);
         mesh.point(v) = {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
                          std::ldexp(p.z(), exponent)};
       }
-      CGAL::remove_handles<CGAL::Parallel_if_available_tag>(mesh);
+      const htl::Removal_report report =
+          CGAL::remove_handles<CGAL::Parallel_if_available_tag>(mesh);
+      ASSERT_EQ(report.removed.size(), expected_report.removed.size()) << exponent;
+      for(std::size_t i = 0; i < report.removed.size(); ++i) {
+        const htl::Removed_handle &handle = report.removed[i], &other = expected_report.removed[i];
+        EXPECT_EQ(handle.pair, other.pair);
+        EXPECT_EQ(handle.by, other.by);
+        EXPECT_NEAR(std::ldexp(handle.length, -exponent), other.length, 1e-9);
+        EXPECT_EQ(handle.change.cap_ratio, other.change.cap_ratio);
+        EXPECT_EQ(handle.change.sharpest_angle, other.change.sharpest_angle);
+        if(std::abs(exponent) <= 200) {
+          EXPECT_NEAR(std::ldexp(handle.area, -2 * exponent), other.area, 1e-9);
+          EXPECT_NEAR(std::ldexp(handle.volume, -3 * exponent), other.volume, 1e-9);
+        }
+      }
       ASSERT_EQ(mesh.number_of_faces(), expected.number_of_faces());
       for(const auto v : mesh.vertices())
         for(int axis = 0; axis < 3; ++axis)
@@ -445,30 +463,70 @@ Mesh crossing_rings(std::size_t faces, const std::array<double, 3>& parts) {
 }
 
 // Most discs across one of the rings meet the other one. Some of them meet only what was crossed
-// there before.
-TEST(Handle_removal, CrossesNoMoreThanWasCrossed) {
-  std::size_t number = 0; // of new faces that cross old ones
+// there before, in fewer faces.
+TEST(Handle_removal, CrossesNoMoreThanWasCrossedUnlessForced) {
+  std::size_t number = 0, number_forced = 0, number_refused = 0;
   for(std::size_t faces : {32, 50, 72, 98, 128, 200})
     for(const auto& parts : {std::array{0.02, 0., 0.03}, std::array{0., 0., 0.3},
                              std::array{0., 0., 0.01}, std::array{0.1, 0., 0.}})
-    {
-      Mesh mesh = crossing_rings(faces, parts);
-      std::set<Mesh::Face_index> crossed;
-      for(const auto& [f, g] : crossings(mesh))
-        crossed.insert({f, g});
-      const Mesh::Face_index end_of_old(static_cast<std::uint32_t>(mesh.number_of_faces()));
-      const htl::Removal_report report = CGAL::remove_handles(mesh);
-      EXPECT_EQ(report.removed.size() + report.refused.size(), 2u);
-      EXPECT_EQ(euler_characteristic(mesh),
-                4 - 2 * static_cast<std::ptrdiff_t>(report.refused.size()));
-      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
-      for(const auto& [f, g] : crossings(mesh))
-        if((f < end_of_old) != (g < end_of_old)) {
-          ++number;
-          EXPECT_EQ(crossed.count((std::min)(f, g)), 1u);
-        }
-    }
+      for(bool force : {false, true}) {
+        Mesh mesh = crossing_rings(faces, parts);
+        const auto before = crossings(mesh);
+        std::set<Mesh::Face_index> crossed, divided;
+        for(const auto& [f, g] : before)
+          crossed.insert({f, g});
+        const Mesh::Face_index end_of_old(static_cast<std::uint32_t>(mesh.number_of_faces()));
+        std::map<Mesh::Face_index, Mesh::Face_index> parents;
+        const auto is_first = [](const auto& pair) { return pair.handle().pair_index() == 0; };
+        const htl::Removal_report report = CGAL::remove_handles(
+            mesh, params::removal_options(
+                      with(&Options::force, force),
+                      params::face_to_face_map(boost::make_assoc_property_map(parents))
+                          .filter(is_first)));
+        ASSERT_EQ(report.removed.size() + report.refused.size(), 1u);
+        EXPECT_EQ(euler_characteristic(mesh),
+                  2 - 2 * static_cast<std::ptrdiff_t>(report.refused.size()));
+        EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+        for(const auto& [part, parent] : parents)
+          divided.insert(parent);
+        const auto is_cap = [&](Mesh::Face_index f) {
+          return f >= end_of_old && parents.count(f) == 0;
+        };
+        const auto is_gone = [&](Mesh::Face_index f) {
+          return mesh.is_removed(f) && divided.count(f) == 0;
+        };
+        std::size_t number_gone = 0, number_of_caps = 0;
+        for(const auto& [f, g] : before)
+          number_gone += is_gone(f) || is_gone(g);
+        for(const auto& [f, g] : crossings(mesh))
+          if(is_cap(f) || is_cap(g)) {
+            ++number_of_caps;
+            for(const auto h : {f, g})
+              EXPECT_TRUE(h >= end_of_old || crossed.count(h) == 1);
+          }
+        const std::size_t more = report.change().crossings;
+        EXPECT_LE(more, number_of_caps);
+        EXPECT_LE(number_of_caps, number_gone + more);
+        EXPECT_TRUE(force || more == 0);
+        number += force ? 0 : number_of_caps;
+        number_forced += more;
+        for(const htl::Refused_handle& refused : report.refused)
+          number_refused += refused.reason.find("intersects itself there") != std::string::npos;
+      }
   EXPECT_GT(number, 0u);
+  EXPECT_GT(number_forced, 0u);
+  EXPECT_GT(number_refused, 0u);
+}
+
+// An isosurface that touches itself in places of coincident vertices.
+TEST(Handle_removal, RemovesNothingMoreOfItsResult) {
+  const auto file = mesh_corpus() / "cases" / "mc_genus4_run_twice.ply";
+  Mesh mesh;
+  if(!CGAL::IO::read_PLY(file.string(), mesh))
+    GTEST_SKIP() << "there are no meshes in " << mesh_corpus();
+  const std::size_t genus = CGAL::remove_handles(mesh).genus_after;
+  mesh.collect_garbage();
+  EXPECT_EQ(CGAL::remove_handles(mesh).genus_after, genus);
 }
 
 TEST(Handle_removal, StopsAtTheTargetSmallestFirst) {

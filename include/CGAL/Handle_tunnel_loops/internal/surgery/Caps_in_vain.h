@@ -27,7 +27,16 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /// Why a handle is not removed in some way: the later ones say more.
 struct Obstacle
 {
-  enum Kind { NO_LOOP, NO_REGION, NO_CAPS, CAPS_CROSS, SURFACE_IN_THE_WAY, SHAPE, TOPOLOGY };
+  enum Kind {
+    NO_LOOP,
+    NO_REGION,
+    NO_CAPS,
+    CAPS_CROSS,
+    SURFACE_IN_THE_WAY,
+    MORE_CROSSINGS,
+    SHAPE,
+    TOPOLOGY
+  };
   Kind kind = NO_CAPS;
   std::string why = "the holes cannot be triangulated";
 

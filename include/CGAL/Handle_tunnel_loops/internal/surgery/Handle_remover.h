@@ -213,8 +213,8 @@ private:
     std::vector<Removal_task> tasks, necks;
   };
 
-  // Handles, and then necks. If some handles are left where others were removed, or none was, all
-  // is done once more, and they come first.
+  // Handles, and then necks. If some handles are left where others were removed, all is done once
+  // more, and they come first.
   template <typename VertexIndexMap, typename FaceIndexMap>
   Attempt attempt_at_all(const std::vector<Removal_task>& tasks,
                          VertexIndexMap vertex_index,
@@ -268,14 +268,11 @@ private:
     return attempt;
   }
 
-  // Whether some handles may be left because of others that were removed, or, if none was, for the
-  // want of other loops: not if they are too many for that.
+  // Whether some handles may be left because of others that were removed: not if they are too many.
   static bool may_do_better(const std::vector<Removal_task>& done) {
     constexpr std::size_t most = 2; // for each that was removed, and before the first one
-    const std::size_t left = number_left(done),
-                      removed = number_with(Removal_task::State::REMOVED, done);
-    return left > 0 && left <= most * (1 + removed) &&
-           (removed == 0 || std::any_of(done.begin(), done.end(), is_hindered));
+    return number_left(done) <= most * (1 + number_with(Removal_task::State::REMOVED, done)) &&
+           std::any_of(done.begin(), done.end(), is_hindered);
   }
 
   static bool is_hindered(const Removal_task& task) {
@@ -291,7 +288,7 @@ private:
     for(Removal_task& task : tasks) {
       const Removal_task& other = *done_of.at(task.pair);
       task.comes_first = is_hindered(other);
-      if(other.state == Removal_task::State::REMOVED && other.are_first_loops)
+      if(other.state == Removal_task::State::REMOVED && other.are_given_loops)
         task.region = other.region;
     }
     return tasks;

@@ -94,7 +94,7 @@ public:
                  Intended_change intended,
                  const std::vector<Caps_in_vain>& known) {
     intended.may_be_far = are_mouths_flush(mesh);
-    is_harmless = false;
+    is_harmless = is_for_now_ = false;
     has_caps_ = false;
     obstacle_ = Obstacle();
     former_.reset();
@@ -229,7 +229,8 @@ private:
                        [&](Index f) { return placed.meets(placed_triangle(mesh, f)); });
   }
 
-  // Where the surface crosses itself all over, all that it crosses tells.
+  // Where the surface crosses itself all over, all that it crosses tells. What may not be so later
+  // is not noted.
   void describe_failure(const Surgery_mesh& mesh) {
     if(former_ && former_->are_known_to_be_too_many()) {
       const std::vector<Index> met = former_->met();
@@ -240,6 +241,8 @@ private:
     if(region_) // caps are made to fit two rings of faces around them
       in_vain_->around = Cut_region::faces_at(
           mesh, vertices_of(mesh, Cut_region::faces_at(mesh, region_->border_vertices(mesh))));
+    if(is_for_now_)
+      in_vain_.reset();
   }
 
   // Where the surface was in the way of other caps it is looked at first: it may well be so again,
@@ -272,12 +275,31 @@ private:
     reach_.extend(placed.reach());
     if(const auto obstacle = contact_of_caps(patch, placed, contacts))
       return obstacle;
-    const Judged_change change = judge.change(mesh, out_, patch, intended);
+    const std::size_t crossings = former_ ? number_of_new_crossings(mesh, placed, contacts) : 0;
+    if(crossings > 0 && !judge.is_forced()) {
+      is_for_now_ = true; // what comes may cross what is taken out
+      return Obstacle{Obstacle::MORE_CROSSINGS,
+                      "the surface, which intersects itself there, would do so in " +
+                          std::to_string(crossings) + " more pairs of faces"};
+    }
+    Judged_change change = judge.change(mesh, out_, patch, intended);
+    change.crossings = crossings;
     const std::string why = judge.objection(change, intended);
     if(!why.empty())
       return Obstacle{Obstacle::SHAPE, why};
     change_ = change;
     return std::nullopt;
+  }
+
+  // How many more pairs of faces cross. What parts of faces cross is what these have crossed.
+  std::size_t number_of_new_crossings(const Surgery_mesh& mesh,
+                                      const Placed_patch& placed,
+                                      const Mesh_contacts& contacts) const {
+    const std::size_t number = contacts.number_of_crossings(placed, out_);
+    if(number == 0 || curve_) // along which all faces are divided
+      return number;
+    const Placed_patch former(mesh, patch_of(mesh, out_));
+    return number - (std::min)(number, contacts.number_of_crossings(former, out_));
   }
 
   // One of them.
@@ -289,6 +311,7 @@ private:
   // Of this round.
   std::unique_ptr<Former_contacts> former_; // if caps may cross what there is
   bool has_caps_ = false;
+  bool is_for_now_ = false; // that there are none
   Obstacle obstacle_;
   std::optional<Caps_in_vain> in_vain_;
   Patch patch_;

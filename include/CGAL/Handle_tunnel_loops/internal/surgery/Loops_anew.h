@@ -116,7 +116,7 @@ private:
 
   // If it may be cut or filled, whatever its new loop is.
   static bool is_lost(const Removal_task& task) {
-    return task.has_failed() && !task.is_settled &&
+    return task.has_failed() &&
            std::all_of(task.choices.begin(), task.choices.end(),
                        [](const Loop_choice& choice) { return choice.is_allowed; });
   }
@@ -134,7 +134,7 @@ private:
     task.state = Removal_task::State::OPEN;
     task.pair = lost.pair;
     task.in_vain = lost.in_vain;
-    task.are_types_known = task.are_first_loops = false;
+    task.are_types_known = task.are_given_loops = false;
   }
 
   // It may cross others, but not go along them.
@@ -337,27 +337,47 @@ public:
                             Loop_distance(pair.tunnel.points, pair.tunnel.length)});
   }
 
-  /// gives new loops to those that could not be removed, unless these are the old ones and nothing
-  /// has changed there. Those that are not found stay as they are.
+  /// gives new loops to those that could not be removed, and has the smallest come first among
+  /// them. Those that are not found stay as they are.
   void give_to(std::vector<Removal_task>& tasks) const {
     std::vector<std::size_t> old;
     for(std::size_t i = 0; i < tasks.size(); ++i)
       if(tasks[i].state != Removal_task::State::REMOVED && !tasks[i].is_of_neck())
         old.push_back(i);
-    Assignment done{std::vector<char>(tasks.size(), 0), std::vector<char>(pairs_.size(), 0)};
+    Assignment done{std::vector<std::size_t>(tasks.size(), none),
+                    std::vector<char>(pairs_.size(), 0)};
     give_nearest(tasks, old, 1., done);
     if(old.size() == pairs_.size()) // all handles are known: the last ones have nothing else left
       give_nearest(tasks, old, infinite, done);
+    sort(tasks, done);
   }
 
 private:
   static constexpr double infinite = (std::numeric_limits<double>::infinity)();
+  static constexpr std::size_t none = Removal_task::none;
 
-  // Which tasks have their pairs by now, by their numbers.
+  // The pairs that tasks have by now, by the numbers of these; and which pairs are taken.
   struct Assignment
   {
-    std::vector<char> is_named, is_taken;
+    std::vector<std::size_t> pair;
+    std::vector<char> is_taken;
   };
+
+  // Those that are open, as a selection has them in order: the places of others stay.
+  static void sort(std::vector<Removal_task>& tasks, const Assignment& done) {
+    std::vector<std::tuple<double, std::size_t, std::size_t>> open;
+    for(std::size_t i = 0; i < tasks.size(); ++i)
+      if(!tasks[i].is_done())
+        open.push_back({tasks[i].choices.front().length, done.pair[i], i});
+    std::vector<Removal_task> sorted;
+    std::sort(open.begin(), open.end());
+    for(const auto& task : open)
+      sorted.push_back(std::move(tasks[std::get<2>(task)]));
+    std::size_t next = 0;
+    for(Removal_task& task : tasks)
+      if(!task.is_done())
+        task = std::move(sorted[next++]);
+  }
 
   // Those nearer than that, the nearest first.
   void give_nearest(std::vector<Removal_task>& tasks,
@@ -367,14 +387,15 @@ private:
     for(Candidates nearest = candidates(tasks, numbers, most, done); !nearest.empty();) {
       const auto [d, is_measured, i, k] = nearest.top();
       nearest.pop();
-      if(done.is_named[i] || done.is_taken[k] || d >= most)
+      if(done.pair[i] != none || done.is_taken[k] || d >= most)
         continue;
       if(!is_measured) {
         nearest.push({distance(tasks[i], k), true, i, k});
         continue;
       }
-      done.is_named[i] = done.is_taken[k] = 1;
-      if(tasks[i].has_failed() && !(tasks[i].is_settled && are_of(tasks[i], pairs_[k])))
+      done.pair[i] = k;
+      done.is_taken[k] = 1;
+      if(tasks[i].has_failed())
         give(pairs_[k], tasks[i]);
     }
   }
@@ -390,7 +411,7 @@ private:
                         const Assignment& done) const {
     std::vector<Candidate> all;
     for(std::size_t i : numbers) {
-      if(done.is_named[i])
+      if(done.pair[i] != none)
         continue;
       std::vector<Box<3>> boxes; // by choice
       for(const Loop_choice& choice : tasks[i].choices)
@@ -425,27 +446,20 @@ private:
     return least;
   }
 
-  // Whether the loops that a task has are, by their lengths, those of a pair.
-  static bool are_of(const Removal_task& task, const Pair& pair) {
-    constexpr double rounding = 1e-9;
-    return std::all_of(task.choices.begin(), task.choices.end(), [&](const Loop_choice& choice) {
-      const double length = pair.loop(choice.type).length;
-      return std::abs(choice.length - length) <= rounding * length;
-    });
-  }
-
+  // As if the task was a new one.
   void give(const Pair& pair, Removal_task& task) const {
     for(Loop_choice& choice : task.choices) {
       choice.length = pair.loop(choice.type).length;
       choice.places = pair.loop(choice.type).places;
     }
-    std::stable_sort(
-        task.choices.begin(), task.choices.end(), [](const Loop_choice& a, const Loop_choice& b) {
-          return std::make_pair(!a.is_allowed, a.length) < std::make_pair(!b.is_allowed, b.length);
-        });
+    const auto rank = [](const Loop_choice& choice) {
+      return std::make_tuple(!choice.is_allowed, choice.length, choice.type != Loop_type::HANDLE);
+    };
+    std::sort(task.choices.begin(), task.choices.end(),
+              [&](const Loop_choice& a, const Loop_choice& b) { return rank(a) < rank(b); });
     task.state = Removal_task::State::OPEN;
-    task.are_first_loops = false;
-    task.is_settled = false;
+    task.are_given_loops = task.comes_first = false;
+    task.region.reset();
   }
 
   const Surgery_mesh& mesh_;

@@ -38,8 +38,8 @@ mesh have the numbers that its index maps give them.
 
 Boundary curves get caps, which follow the vertices and faces of the mesh.
 
-What is very small or very large is read in another unit, a power of two, so that squares and
-products of its coordinates are numbers still. Vertices that stay are not touched by that.
+It is read in a unit of its own, a power of two, so that it is the same at all scales: products of
+its coordinates are numbers still. Vertices that stay are not touched by that.
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, a triangle mesh; or a constant model of
   `FaceListGraph`, which can be read only
@@ -162,12 +162,10 @@ private:
   }
 
   void choose_unit(const std::vector<Surgery_mesh::Point>& points) {
-    constexpr int most = 200; // 1e60, whose cube is a number
     double size = 0.;
     for(const Surgery_mesh::Point& p : points)
       size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    const int exponent = size > 0. ? std::ilogb(size) : 0;
-    exponent_ = std::abs(exponent) > most ? exponent : 0;
+    exponent_ = size > 0. ? std::ilogb(size) : 0;
   }
 
   static Surgery_mesh::Point scaled(const Surgery_mesh::Point& p, int exponent) {

@@ -174,6 +174,18 @@ public:
     return placed.any_meeting(placed, box, box, is_over_or_meet);
   }
 
+  /// how many pairs of triangles cross each other, but for parts of faces.
+  std::size_t number_of_crossings() const {
+    std::size_t number = 0;
+    const Placed_boxes placed = placed_boxes();
+    const auto box = [this](Index i) { return boxes_[i]; };
+    placed.any_meeting(placed, box, box, [&](Index i, Index j, std::size_t) {
+      number += i > j && !is_part(i) && are_crossing(triangles_[i], triangles_[j]);
+      return false;
+    });
+    return number;
+  }
+
   /// whether a triangle is part of a face of the mesh.
   bool is_part(std::size_t i) const { return i < parents_.size(); }
 
@@ -231,6 +243,21 @@ public:
         return !is_in(f, out) && patch.meets(t, placed_triangle(mesh_, f)) && !may_meet(f);
       });
     });
+  }
+
+  /// how many pairs of faces, one of a patch and one of it or of the mesh, cross each other, but
+  /// for parts of faces and those that it takes the place of.
+  std::size_t number_of_crossings(const Placed_patch& patch, const std::vector<Index>& out) const {
+    std::size_t number = patch.number_of_crossings();
+    const Placed_boxes boxes_of_patch = patch.placed_boxes();
+    for(const Layer& layer : layers_)
+      any_pair(layer, patch, boxes_of_patch, Pair_budget::unlimited(), [&](Index i, Index t) {
+        const Index f = layer.begin + i;
+        number += !patch.is_part(t) && !is_in(f, out) &&
+                  are_crossing(patch.triangles()[t], placed_triangle(mesh_, f));
+        return false;
+      });
+    return number;
   }
 
 private:

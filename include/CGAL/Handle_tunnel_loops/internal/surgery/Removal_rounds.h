@@ -27,20 +27,17 @@ namespace CGAL::Handle_tunnel_loops::internal {
 enum class Removal_effort {
   GIVEN_LOOPS, ///< along the loops that they have
   ALL_LOOPS, ///< also along others nearby, and such that are found on the surface as it is by then
-  MORE_LOOPS ///< of those nearby, also longer ones, and more of them
+  MORE_LOOPS ///< of those nearby, also longer ones, and more of them, from the beginning
 };
 
-/// whether so many handles are left that it is not for the want of other loops: as on a surface
-/// that crosses itself all over.
-inline bool are_too_many_left(const std::vector<Removal_task>& tasks) {
-  constexpr std::size_t most = 64, most_for_one = 8; // that was removed
-  return number_left(tasks) >
-         most + most_for_one * number_with(Removal_task::State::REMOVED, tasks);
-}
+/*!
+removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
+none is open at the end. With \p force, also where that is no repair. \p ask is told what part
+is done, and throws to stop.
 
-/// removes handles from a mesh, as far as that can be. What becomes of each is written to its task;
-/// none is open at the end. With \p force, also where that is no repair. \p ask is told what part
-/// is done, and throws to stop.
+As long as some are removed and others are not, the loops of the surface are found anew, and those
+that are left are tried as if it had been read just now. So nothing more is to be had of the result.
+*/
 CGAL_HTL_CORE void remove_handles(Execution execution,
                                   Surgery_mesh& mesh,
                                   std::vector<Removal_task>& tasks,

@@ -73,12 +73,11 @@ public:
   void operator()(std::vector<Removal_task>& tasks, const std::function<void()>& ask) {
     start(tasks);
     for(;; ask()) {
-      const std::size_t now = changes_.size();
       const Candidates chosen = choose();
       if(chosen.empty() && is_any_first_)
         continue; // the turn of the others has come
       if(chosen.empty())
-        return note_time(now);
+        return;
       ask();
       meet_mesh_.update(execution_);
       find_caps(chosen);
@@ -87,16 +86,11 @@ public:
       put_in_.clear();
       for(Removal_candidate* candidate : chosen)
         carry_out(*candidate);
-      note_time(now);
     }
   }
 
-  /// whether something was replaced within the reach of a task since some time.
-  bool has_changed(const Removal_task& task, std::size_t time) const {
-    return std::any_of(
-        changes_.begin() + static_cast<std::ptrdiff_t>(time), changes_.end(),
-        [&](const Box<3>& change) { return task.is_far_reaching || change.meets(task.reach); });
-  }
+  /// what holds all that was replaced.
+  const std::vector<Box<3>>& changes() const { return changes_; }
 
 private:
   using Candidates = std::vector<Removal_candidate*>;
@@ -107,13 +101,9 @@ private:
   void start(std::vector<Removal_task>& tasks) {
     candidates_.clear();
     are_all_wanted_ = number_with(Removal_task::State::KEPT, tasks) == 0;
-    for(Removal_task& task : tasks) {
-      if(!task.is_done())
-        task.time = Removal_task::none;
-      else if(!task.has_failed() || !task.is_settled)
-        continue; // but those that are settled may be removed with others
-      candidates_.emplace_back(task, ways_);
-    }
+    for(Removal_task& task : tasks)
+      if(task.is_left()) // those that have failed may be removed with others
+        candidates_.emplace_back(task, ways_);
     for_each_index(
         execution_, candidates_.size(), [&](std::size_t i) { candidates_[i].find_loops(mesh_); },
         16);
@@ -121,15 +111,6 @@ private:
     for(std::size_t i = 0; i < candidates_.size(); ++i)
       for(std::size_t k = 0; k < candidates_[i].walks().size(); ++k)
         note({i, k});
-  }
-
-  // Of those that have failed in this round.
-  void note_time(std::size_t time) {
-    for(Removal_candidate& candidate : candidates_) {
-      Removal_task& task = candidate.task();
-      if(task.has_failed() && task.time == Removal_task::none)
-        task.time = time;
-    }
   }
 
   // Where a loop leads.
@@ -365,7 +346,7 @@ private:
   std::vector<Removal_candidate> candidates_;     // the tasks that were open
   std::unordered_multimap<Index, Loop> loops_at_; // by vertex, also those that were led elsewhere
   bool are_all_wanted_ = false;                   // no handle is to be kept
-  std::vector<Box<3>> changes_;                   // what holds them, of all rounds
+  std::vector<Box<3>> changes_;                   // of all rounds
   // In this round.
   std::vector<Placed_patch> put_in_;
   bool is_any_first_ = false;     // others wait for that
@@ -377,10 +358,9 @@ inline void remove_along_loops_nearby(Execution execution,
                                       Removal_rounds& remove,
                                       const Surgery_mesh& mesh,
                                       std::vector<Removal_task>& tasks,
-                                      Removal_effort effort,
+                                      const Nearby_search& wanted,
                                       const std::function<void()>& ask) {
-  Loops_nearby find_nearby(mesh, effort == Removal_effort::MORE_LOOPS ? Nearby_search::wide()
-                                                                      : Nearby_search());
+  Loops_nearby find_nearby(mesh, wanted);
   for(;;) {
     std::vector<Removal_task> nearby = find_nearby(execution, tasks);
     if(number_with(Removal_task::State::OPEN, nearby) == 0)
@@ -397,21 +377,39 @@ inline void remove_along_loops_nearby(Execution execution,
   }
 }
 
-/// notes where nothing has changed since a handle was refused.
-inline void settle(const Removal_rounds& remove, std::vector<Removal_task>& tasks) {
-  for(Removal_task& task : tasks)
-    if(task.has_failed())
-      task.is_settled =
-          task.state == Removal_task::State::REFUSED && !remove.has_changed(task, task.time);
-}
-
-/// says of those that are left that they are refused.
-inline void give_up(const Removal_rounds& remove, std::vector<Removal_task>& tasks) {
+/// says of those that are left that they are refused, and which of them had something change within
+/// their reach.
+inline void give_up(const std::vector<Box<3>>& changes, std::vector<Removal_task>& tasks) {
   for(Removal_task& task : tasks)
     if(task.has_failed()) {
       task.state = Removal_task::State::REFUSED;
-      task.is_hindered = remove.has_changed(task, 0);
+      task.is_hindered = std::any_of(changes.begin(), changes.end(), [&](const Box<3>& change) {
+        return task.is_far_reaching || change.meets(task.reach);
+      });
     }
+}
+
+/// removes handles along the loops that they have, and along others nearby, on a surface as it is.
+inline std::vector<Box<3>> remove_once(Execution execution,
+                                       Surgery_mesh& mesh,
+                                       std::vector<Removal_task>& tasks,
+                                       Removal_effort effort,
+                                       bool force,
+                                       const std::function<void()>& ask) {
+  constexpr std::size_t few = 2, many = 64, many_for_one = 8; // that was removed
+  Removal_rounds remove(execution, mesh, force);
+  const std::size_t left = number_left(tasks);
+  const auto number_removed = [&] { return left - number_left(tasks); };
+  remove(tasks, ask);
+  // Of very many, as on a surface that crosses itself all over, it is not for the want of loops.
+  if(effort == Removal_effort::GIVEN_LOOPS ||
+     number_left(tasks) > many + many_for_one * number_removed())
+    return remove.changes();
+  if(effort != Removal_effort::MORE_LOOPS)
+    remove_along_loops_nearby(execution, remove, mesh, tasks, Nearby_search(), ask);
+  if(effort == Removal_effort::MORE_LOOPS || (number_left(tasks) <= few && number_removed() == 0))
+    remove_along_loops_nearby(execution, remove, mesh, tasks, Nearby_search::wide(), ask);
+  return remove.changes();
 }
 
 CGAL_HTL_CORE void remove_handles(Execution execution,
@@ -426,19 +424,16 @@ CGAL_HTL_CORE void remove_handles(Execution execution,
   };
   for(Removal_task& task : tasks)
     task.forget_what_is_not_of(mesh);
-  Removal_rounds remove(execution, mesh, force);
+  std::vector<Box<3>> changes;
   for(;;) {
-    const std::size_t before = number_with(State::REMOVED, tasks);
-    remove(tasks, ask_now);
-    if(effort == Removal_effort::GIVEN_LOOPS || are_too_many_left(tasks))
+    const std::vector<Box<3>> last = remove_once(execution, mesh, tasks, effort, force, ask_now);
+    changes.insert(changes.end(), last.begin(), last.end());
+    if(last.empty() || number_left(tasks) == 0 || effort == Removal_effort::GIVEN_LOOPS)
       break;
-    remove_along_loops_nearby(execution, remove, mesh, tasks, effort, ask_now);
-    if(number_left(tasks) == 0 || number_with(State::REMOVED, tasks) == before)
-      break;
-    settle(remove, tasks);
+    mesh.forget_order();
     Loops_anew(execution, mesh).give_to(tasks);
   }
-  give_up(remove, tasks);
+  give_up(changes, tasks);
   CGAL_postcondition(number_with(State::OPEN, tasks) == 0);
 }
 
@@ -451,7 +446,7 @@ CGAL_HTL_CORE void try_to_remove_each(Execution execution,
   remove(tasks, [&] {
     ask(double(number_with(Removal_task::State::REMOVED, tasks)) / double(tasks.size()));
   });
-  give_up(remove, tasks);
+  give_up(remove.changes(), tasks);
 }
 
 /// keeps necks that are no channels, as removing all of them on a copy of the mesh shows.
@@ -485,7 +480,7 @@ remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wan
     keep_what_is_no_channel(execution, mesh, tasks, wanted.force);
   Removal_rounds remove(execution, mesh, wanted.force);
   remove(tasks, [] {});
-  give_up(remove, tasks);
+  give_up(remove.changes(), tasks);
   return tasks;
 }
 

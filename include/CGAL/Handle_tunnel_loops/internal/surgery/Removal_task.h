@@ -69,11 +69,14 @@ struct Removal_task
   std::size_t pair = none;             ///< its number; none for a neck
   std::vector<Loop_choice> choices;    ///< in the order in which they are to be tried
   bool are_types_known = true;         ///< or what is taken away will tell
-  bool are_first_loops = true;         ///< or found on the surface as it has become
+  bool are_given_loops = true;         ///< or found on the surface as it has become
   bool comes_first = false;            ///< before all others that do not
   std::optional<Region_choice> region; ///< that it was removed with, or was before
 
   bool is_of_neck() const { return pair == none; }
+
+  /// whether the choices are only near the loops of a handle that could not be removed.
+  bool are_loops_nearby() const { return !are_types_known && !is_of_neck(); }
 
   /// whether the choices are the two loops of a handle, which cross once; or they are any loops.
   bool has_both_loops() const { return are_types_known && choices.size() == 2; }
@@ -108,15 +111,12 @@ struct Removal_task
   std::vector<std::string> reasons; ///< by choice, why not along this one
   Box<3> reach = Box<3>::empty();   ///< holds its loops, and all that it was tried with
   bool is_far_reaching = false;     ///< what is elsewhere has a say, too
-  std::size_t time = none;          ///< of the last try, by the number of changes of the surface
-  bool is_settled = false;          ///< nothing has changed there since
   bool is_hindered = false;         ///< something there is not as it was at first
 
   /// the handle was tried as another task.
   void note_tries(const Removal_task& other) {
     reach.extend(other.reach);
     is_far_reaching |= other.is_far_reaching;
-    time = other.time;
   }
 
   // Of a handle that was removed.
@@ -136,6 +136,7 @@ struct Removal_task
         choice = i;
     length = other.length;
     change = other.change;
+    change.crossings = 0; // which are told once
     end_of_faces = other.end_of_faces;
   }
 

@@ -50,6 +50,9 @@ public:
   /// allowed.
   Shape_judge(const Surgery_mesh& mesh, bool force);
 
+  /// whether everything is allowed.
+  bool is_forced() const { return force_; }
+
   /// 1 if the faces point out of the solid, -1 if they point into it. Where there is a boundary,
   /// inside is behind the faces.
   double outward() const { return outward_; }

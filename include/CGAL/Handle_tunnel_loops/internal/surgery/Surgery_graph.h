@@ -55,7 +55,7 @@ public:
     return {Surgery_mesh::previous(h.number)};
   }
   friend Halfedge halfedge(Index v, const Surgery_graph& g) {
-    return {g.mesh_->twin(g.mesh_->outgoing(v))};
+    return {Surgery_mesh::previous(g.mesh_->outgoing(v))}; // of the last face, as `Triangle_arrays`
   }
   friend Halfedge halfedge(Halfedge f, const Surgery_graph&) { return f; }
   friend std::pair<Halfedge, bool> halfedge(Index u, Index v, const Surgery_graph& g) {

@@ -57,11 +57,16 @@ public:
       , twins_(std::move(twins))
       , first_(points_.size(), no_index)
       , box_axes_(some_triangles()) {
+    for(Index f = 0; f < face_bound(); ++f)
+      number_of_faces_ += is_alive(f);
+    forget_order();
+  }
+
+  /// has the halfedges around each vertex begin where they would in a mesh that is read like this.
+  void forget_order() {
     for(Index h = 0; h < twins_.size(); ++h)
-      if(is_alive(face(h))) {
+      if(is_alive(face(h)))
         first_[source(h)] = h;
-        number_of_faces_ += h % 3 == 0;
-      }
   }
 
   /// closes each boundary curve, along halfedges without a twin, by a cap. The caps follow the

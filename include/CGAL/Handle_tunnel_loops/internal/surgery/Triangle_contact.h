@@ -230,6 +230,18 @@ inline bool are_in_contact(const Placed_triangle& a, const Placed_triangle& b) {
   return Triangle_contact(a, b)();
 }
 
+/// whether two triangles meet elsewhere than in corners and edges at the same places, as where a
+/// surface that was no manifold has been split.
+inline bool are_crossing(const Placed_triangle& a, Placed_triangle b) {
+  if(!are_in_contact(a, b))
+    return false;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+      if(a.points[i] == b.points[j])
+        b.vertices[j] = a.vertices[i];
+  return are_in_contact(a, b);
+}
+
 } // namespace CGAL::Handle_tunnel_loops::internal
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_TRIANGLE_CONTACT_H

@@ -23,13 +23,12 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /// all regions along the loops that are allowed, the first one first, given the order of these.
 /// What leaves most of the shape alone comes first: before things are taken out whole, strips may
-/// cross what the surface has crossed. What seldom helps is for handles with the loops that they
-/// had at first. That which is known to do comes before all.
+/// cross what the surface has crossed. What seldom helps is not for loops nearby. That which is
+/// known to do comes before all.
 inline std::vector<Region_choice> region_choices(const Removal_task& task,
                                                  const std::vector<std::size_t>& allowed) {
   using Choice = Region_choice;
   const bool are_both_allowed = task.has_both_loops() && allowed.size() == 2;
-  const bool are_first_loops = task.are_first_loops;
   std::vector<Choice> all;
   if(are_both_allowed)
     all.push_back({Choice::KNOB, allowed.front(), 8});
@@ -41,16 +40,15 @@ inline std::vector<Region_choice> region_choices(const Removal_task& task,
     all.push_back({Choice::STRIP, i, 0});
   for(std::size_t i : allowed)
     for(int rings : {3, 0})
-      if(rings > 0 || task.are_types_known || are_first_loops)
+      if(rings > 0 || !task.are_loops_nearby())
         all.push_back({Choice::RINGS, i, rings});
-  if(are_first_loops)
+  if(!task.are_loops_nearby())
     for(std::size_t i : allowed)
       all.push_back({Choice::STRIP, i, 0, true});
   if(are_both_allowed)
     for(int rings : {0, 1, 2, 3, 4, 6, 10})
-      if(rings <= 2 || are_first_loops)
-        all.push_back({Choice::WHOLE, allowed.front(), rings});
-  if(are_first_loops && are_both_allowed)
+      all.push_back({Choice::WHOLE, allowed.front(), rings});
+  if(are_both_allowed)
     for(int rings : {0, 1, 2})
       all.push_back({Choice::WHOLE, allowed.front(), rings, true});
   if(task.region)
