@@ -72,7 +72,8 @@ no loop slides across a cap.
 The running time is linear in the size of the mesh, except for sorting, for tightening the
 candidates, and for fronts that move far. In the worst case, each throat costs as much as computing
 distances on the (coarse) surface. The set of throats does not depend on the numbering of the
-vertices, except for ties and, if a coarse mesh is used, for small throats of low prominence.
+vertices or on the unit of length, except for ties and, if a coarse mesh is used, for small throats
+of low prominence.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
