@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -25,6 +26,9 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 /// \file boundary_loops.h
@@ -38,7 +42,9 @@ namespace CGAL {
 Writes the boundary curves of a surface as loops, with the surface to their left. With `basis_kind`
 set to `SHORTEST`, it writes for each curve its *waist*: a short loop that is homologous to the
 curve. If a component has only one boundary curve, this curve bounds the whole component and is
-null-homologous, so it has no waist.
+null-homologous, so it has no waist. Before the waists are written, the function certifies each of
+them: independent code checks in integer arithmetic that it is a closed curve on the surface and
+homologous to its curve.
 
 All boundary curves of each component except an arbitrary one, together with the loops of
 `handle_tunnel_loops()`, are a basis of the first homology group of the surface. A waist may replace
@@ -56,10 +62,10 @@ A waist is not longer than its curve. It is not longer than any closed walk alon
 homologous to its curve, unless the search for walks reaches its limit: 2<sup>18</sup> states per
 curve, or an equal share of 2<sup>22</sup> if there are more than 16 curves. A state is a vertex
 together with a class in which it can be reached. If the search reaches the limit, the waist is the
-shortest loop found so far. In both cases, the waist is exactly certified to be homologous to its
-curve.
+shortest loop found so far.
 
-The curves take linear time. For each waist, the minimum cut usually takes near-linear time. The
+The curves take linear time, and the certificate of all waists takes almost linear time if they are
+short. For each waist, the minimum cut usually takes near-linear time. The
 search for walks takes near-linear time in the number of states, which the limit bounds. The search
 visits states up to half the length of the shortest loop so far; the number of states may be
 exponential in the ratio of this length to the length of the shortest loops that are not
@@ -95,6 +101,12 @@ null-homologous. The search needs memory linear in the size of the mesh for each
     \cgalParamType{a class model of `ReadablePropertyMap`}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{a property map associating to each face of `tm` a unique index; used for
+      waists}
+    \cgalParamType{a class model of `ReadablePropertyMap`}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
     \cgalParamType{a class model of `Kernel`}
@@ -106,6 +118,8 @@ null-homologous. The search needs memory linear in the size of the mesh for each
 
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh, with or without boundary, with finite coordinates
+\throws Handle_tunnel_loops::Uncertified_loops_exception if a waist fails its certificate. This
+  indicates a defect of the package. Nothing has been written
 
 \sa `handle_tunnel_loops()`
 */
@@ -129,22 +143,34 @@ OutputIterator boundary_loops(const TriangleMesh& tm,
   const impl::Flat_mesh& mesh = surface.mesh;
   const auto traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
   const auto convert = surface.converter(traits);
-  std::vector<impl::Crossing_loop> flat_loops;
+  using Loop = typename decltype(convert)::Loop;
+  const auto converted = [&](const std::vector<impl::Crossing_loop>& found) {
+    std::vector<Loop> loops(found.size());
+    impl::for_each_index(
+        execution, loops.size(),
+        [&](std::size_t i) { loops[i] = convert(found[i], Loop_type::BOUNDARY, i); }, 1);
+    return loops;
+  };
+  std::vector<impl::Crossing_loop> flat_curves;
+  for(impl::Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)
+    flat_curves.push_back(impl::boundary_curve(mesh, hub));
+  const std::vector<Loop> curves = converted(flat_curves);
   const auto kind = choose_parameter(get_parameter(np, internal_np::basis_kind),
                                      Handle_tunnel_loops::Basis_kind::PURE);
-  if(kind == Handle_tunnel_loops::Basis_kind::SHORTEST)
-    flat_loops = impl::waists(execution, mesh);
-  else
-    for(impl::Index hub = mesh.first_hub; hub < mesh.first_hub + mesh.number_of_hubs; ++hub)
-      flat_loops.push_back(impl::boundary_curve(mesh, hub));
-  std::vector<
-      Loop_on_surface<TriangleMesh, typename boost::property_traits<Vertex_point_map>::value_type>>
-      loops(flat_loops.size());
-  impl::for_each_index(
-      execution, loops.size(),
-      [&](std::size_t i) { loops[i] = convert(flat_loops[i], Loop_type::BOUNDARY, i); }, 1);
-  return std::copy_if(loops.begin(), loops.end(), out,
-                      [](const auto& loop) { return loop.size() != 0; });
+  if(kind != Handle_tunnel_loops::Basis_kind::SHORTEST)
+    return std::copy(curves.begin(), curves.end(), out);
+  std::vector<Loop> waists = converted(impl::waists(execution, mesh));
+  waists.erase(std::remove_if(waists.begin(), waists.end(),
+                              [](const Loop& waist) { return waist.size() == 0; }),
+               waists.end());
+  const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+  const impl::Boundary_check<TriangleMesh, decltype(vertex_index), decltype(face_index), Loop>
+      check(execution, tm, vertex_index, face_index);
+  const std::vector<std::string> problems = check.problems_of_waists(curves, waists);
+  if(!problems.empty())
+    throw Handle_tunnel_loops::Uncertified_loops_exception("the waists found are not certified: " +
+                                                           problems.front());
+  return std::move(waists.begin(), waists.end(), out);
 }
 
 } // namespace CGAL

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Dual_cut_check.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Dual_chains.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
@@ -23,7 +25,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,7 +54,9 @@ of the cut times the multiplicity of the edge.
 
 The cuts are combinations of the edges of the cut that `cut_to_disk()` finds for the loops of the
 pairs, so they follow these loops if possible. The inverse of an integer matrix of intersection
-numbers makes them dual. They are short, but not necessarily shortest.
+numbers makes them dual. They are short, but not necessarily shortest. Before they are written,
+other code certifies in integer arithmetic that each cut is closed except at the boundary and
+crosses its loop once and no other, counted with sign.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation, with the possible values of
   `cut_to_disk()`; the default is `Sequential_tag`. The result does not depend on the tag.
@@ -72,6 +78,8 @@ numbers makes them dual. They are short, but not necessarily shortest.
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh, with or without boundary, with finite coordinates
 \throws std::invalid_argument if the loops of the pairs are not a basis
+\throws Handle_tunnel_loops::Uncertified_cut_exception if a cut fails its certificate. This indicates
+  a defect of the package. Nothing has been written
 
 \sa `cut_to_disk()`
 \sa `boundary_loops()`
@@ -99,22 +107,37 @@ OutputIterator dual_cuts(const TriangleMesh& tm,
   request.open_at_boundaries();
   for(const auto& pair : pairs)
     impl::for_each_loop_of(pair, [&](const auto& loop) { request.add_loop(loop); });
+  const std::vector<impl::Index> hubs = impl::hubs_of_basis(mesh);
   std::vector<impl::Crossing_loop> basis;
   for(const auto& walk : request.problem().walks)
     basis.push_back(impl::pushed_left(mesh, walk));
-  impl::add_boundaries_of_basis(mesh, basis);
+  for(const impl::Index hub : hubs)
+    basis.push_back(impl::beside_boundary(mesh, hub));
   const impl::Cut_problem& problem = request.problem();
   const std::vector<impl::Index> cut = impl::cut_open(problem);
+  std::vector<std::vector<std::pair<Halfedge, std::int64_t>>> cuts;
   for(const auto& chain : impl::Dual_chains(problem, cut).dual_to(basis)) {
-    std::vector<std::pair<Halfedge, std::int64_t>> edges;
+    cuts.emplace_back();
     for(const auto& [h, times] : chain)
       if(!problem.is_spoke(h)) {
         const impl::Index forward = times > 0 ? h : problem.halfedges.twin(h);
-        edges.emplace_back(request.halfedge_of_caller(forward), times > 0 ? times : -times);
+        cuts.back().emplace_back(request.halfedge_of_caller(forward), times > 0 ? times : -times);
       }
-    *out++ = std::move(edges);
   }
-  return out;
+  const impl::Dual_cut_check check(tm, vertex_index, cuts);
+  std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> loops;
+  for(const auto& pair : pairs)
+    impl::for_each_loop_of(pair,
+                           [&](const auto& loop) { loops.push_back(check.walk_beside(loop)); });
+  for(const impl::Index hub : hubs) {
+    loops.emplace_back();
+    for(const impl::Index v : impl::boundary_walk(mesh, hub))
+      loops.back().push_back(surface.vertices[v]);
+  }
+  if(const std::string failure = check.failure(loops); !failure.empty())
+    throw Handle_tunnel_loops::Uncertified_cut_exception("the dual cuts found are not certified: " +
+                                                         failure);
+  return std::move(cuts.begin(), cuts.end(), out);
 }
 
 } // namespace CGAL

@@ -77,8 +77,8 @@ private:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// Thrown if the loops that were found fail their certificate. This indicates a defect of the
-/// package, never of the input. No loop has been written.
+/// Thrown if the loops that were found, or waists, fail their certificate. This indicates a defect
+/// of the package, never of the input. No loop has been written.
 class Uncertified_loops_exception : public std::logic_error
 {
 public:
@@ -95,8 +95,8 @@ public:
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
-/// Thrown if a cut does not open every component to one disk. This indicates a defect of the
-/// package, never of the input. Nothing has been written.
+/// Thrown if a cut does not open every component to one disk, or if dual cuts are not dual to their
+/// loops. This indicates a defect of the package, never of the input. Nothing has been written.
 class Uncertified_cut_exception : public std::logic_error
 {
 public:

@@ -74,7 +74,7 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
   auto vertex_index = get(boost::vertex_index, mesh);
   auto face_index = get(boost::face_index, mesh);
   const internal::Boundary_check<Mesh, decltype(vertex_index), decltype(face_index), Loop> check(
-      mesh, vertex_index, face_index);
+      internal::execution_of<All_threads_tag>(), mesh, vertex_index, face_index);
   return check.problems(find_boundaries(mesh, false).curves, curves, waists);
 }
 

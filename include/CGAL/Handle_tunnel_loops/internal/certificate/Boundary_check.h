@@ -23,8 +23,8 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Says in words what is wrong with boundary curves, and loops homologous to them, that were found
-/// elsewhere.
+/// Says in words what is wrong with boundary curves, and loops homologous to them, whoever found
+/// them.
 template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap, typename Loop>
 class Boundary_check
 {
@@ -32,8 +32,12 @@ class Boundary_check
   using Problems = std::vector<std::string>;
 
 public:
-  Boundary_check(const TriangleMesh& tm, VertexIndexMap vertex_index, FaceIndexMap face_index)
-      : tm_(tm)
+  Boundary_check(Execution execution,
+                 const TriangleMesh& tm,
+                 VertexIndexMap vertex_index,
+                 FaceIndexMap face_index)
+      : execution_(execution)
+      , tm_(tm)
       , vertex_index_(vertex_index)
       , face_index_(face_index) {}
 
@@ -61,12 +65,32 @@ public:
     return problems.empty() ? problems_of_waists(curves, waists) : problems;
   }
 
+  /// the second part of it: the number of a waist is that of its curve.
+  Problems problems_of_waists(const std::vector<Loop>& curves,
+                              const std::vector<Loop>& waists) const {
+    Problems problems;
+    std::vector<const Loop*> pairs;
+    const auto name = [](const Loop& waist) {
+      return "boundary " + std::to_string(waist.pair_index()) + ": its waist ";
+    };
+    for(const Loop& waist : waists)
+      if(certifier_of({&waist}).are_closed_on_surface())
+        pairs.insert(pairs.end(), {&curves[waist.pair_index()], &waist});
+      else
+        problems.push_back(name(waist) + "is not a closed curve on the surface");
+    if(pairs.empty())
+      return problems;
+    for(const std::size_t i : certifier_of(pairs).pairs_of_different_class(execution_))
+      problems.push_back(name(*pairs[2 * i + 1]) + "is not homologous to the curve");
+    return problems;
+  }
+
 private:
   using Corners = std::vector<std::size_t>;
 
   Certifier certifier_of(const std::vector<const Loop*>& loops) const {
     Certifier certifier(tm_, vertex_index_, face_index_);
-    certifier.set_loops(Execution(), loops);
+    certifier.set_loops(execution_, loops);
     return certifier;
   }
 
@@ -87,23 +111,7 @@ private:
     return corners;
   }
 
-  Problems problems_of_waists(const std::vector<Loop>& curves,
-                              const std::vector<Loop>& waists) const {
-    Problems problems;
-    std::vector<const Loop*> pairs;
-    const auto name = [](const Loop& waist) {
-      return "boundary " + std::to_string(waist.pair_index()) + ": its waist ";
-    };
-    for(const Loop& waist : waists)
-      if(certifier_of({&waist}).are_closed_on_surface())
-        pairs.insert(pairs.end(), {&curves[waist.pair_index()], &waist});
-      else
-        problems.push_back(name(waist) + "is not a closed curve on the surface");
-    for(const std::size_t i : certifier_of(pairs).pairs_of_different_class(Execution()))
-      problems.push_back(name(*pairs[2 * i + 1]) + "is not homologous to the curve");
-    return problems;
-  }
-
+  Execution execution_;
   const TriangleMesh& tm_;
   VertexIndexMap vertex_index_;
   FaceIndexMap face_index_;

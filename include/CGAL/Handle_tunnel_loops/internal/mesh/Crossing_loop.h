@@ -169,32 +169,59 @@ inline void append_way_around(
     loop.push_back(has_v_right ? Crossing{ring[p], v, 1.} : Crossing{v, ring[p], 0.});
 }
 
-/// pushes a closed walk on the edges a little to its left; where it passes a vertex of very
-/// many neighbours, to the side on which there are fewer of them. The walk must have no spurs.
-inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk) {
+/// the place, on the left side of a way by a vertex from one neighbour on, of another neighbour:
+/// one for the next edge. Those on the left come before the one to which the way goes.
+inline Index place_on_left(const Ring& ring, Index from, Index other) {
+  const Index p = ring.position(from), q = ring.position(other);
+  return (p < q ? ring.size() : 0) + p - q;
+}
+
+inline bool are_very_many_on_left(const Ring& ring, Index from, Index to) {
+  return ring.size() > very_many_neighbors && place_on_left(ring, from, to) > ring.size() / 2;
+}
+
+/// pushes a closed walk on the edges a little aside: where it passes a vertex, to the right if
+/// `is_pushed_right(ring, from, to)` says so of the way there, or else to the left. The walk must
+/// have no spurs.
+template <typename Predicate>
+Crossing_loop pushed_aside(const Flat_mesh& mesh,
+                           const std::vector<Index>& walk,
+                           const Predicate& is_pushed_right) {
   Crossing_loop loop;
-  const auto is_pushed_right = [&](Index from, Index v, Index to) { // of the way by `v`
-    const Ring ring = mesh.ring(v);
-    if(ring.size() <= very_many_neighbors)
-      return false;
-    const Index p = ring.position(from), q = ring.position(to);
-    return (p < q ? ring.size() : 0) + p - q > ring.size() / 2;
-  };
   const auto at = [&](std::size_t i) { return walk[i < walk.size() ? i : i - walk.size()]; };
-  bool is_right = !walk.empty() && is_pushed_right(walk.back(), walk[0], at(1));
+  const auto is_right_at = [&](std::size_t i) { // of the way by vertex i + 1
+    return is_pushed_right(mesh.ring(at(i + 1)), at(i), at(i + 2));
+  };
+  bool is_right = !walk.empty() && is_right_at(walk.size() - 1);
   const bool is_right_at_end = is_right;
   for(std::size_t i = 0; i < walk.size(); ++i) {
     const Index v = walk[i], from = i == 0 ? walk.back() : walk[i - 1], to = at(i + 1);
     const Ring ring = mesh.ring(v);
     append_way_around(v, ring, ring.position(from), ring.position(to), !is_right, loop);
-    const bool is_next_right =
-        i + 1 == walk.size() ? is_right_at_end : is_pushed_right(v, to, at(i + 2));
+    const bool is_next_right = i + 1 == walk.size() ? is_right_at_end : is_right_at(i);
     if(is_next_right != is_right) // over the edge between the two
       loop.push_back(is_right ? Crossing{v, to, 0.} : Crossing{to, v, 1.});
     is_right = is_next_right;
   }
   remove_backtracks(loop);
   return loop;
+}
+
+/// pushes it to its left; where it passes a vertex of very many neighbours, to the side on which
+/// there are fewer of them. This may lead into caps.
+inline Crossing_loop pushed_left(const Flat_mesh& mesh, const std::vector<Index>& walk) {
+  return pushed_aside(mesh, walk, are_very_many_on_left);
+}
+
+/// the same of a walk on the surface, but to the right where there is a cap on the left. The loop
+/// enters no cap, and is homotopic to the walk on the surface without them.
+inline Crossing_loop pushed_on_surface(const Flat_mesh& mesh, const std::vector<Index>& walk) {
+  return pushed_aside(mesh, walk, [&mesh](const Ring& ring, Index from, Index to) {
+    for(const Index v : ring)
+      if(mesh.is_hub(v))
+        return place_on_left(ring, from, v) < place_on_left(ring, from, to);
+    return are_very_many_on_left(ring, from, to);
+  });
 }
 
 /// a closed walk: of each edge that a loop crosses the nearer end. Two crossings are on the edges

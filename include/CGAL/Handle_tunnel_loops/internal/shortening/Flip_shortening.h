@@ -209,42 +209,85 @@ private:
 
   // ---- the loop in terms of the mesh
 
-  // The vertices lie to the left.
-  Crossing_loop crossings() {
-    Crossing_loop loop, part = crossings_of(first_);
+  // What is left of the walk, without spurs.
+  std::vector<Index> halfedges() const {
+    std::vector<Index> walk;
     Index i = first_;
     do {
-      loop.insert(loop.end(), part.begin(), part.end());
-      const Index in = steps_[i].halfedge, v = edges_.target(in);
+      const Index h = steps_[i].halfedge;
+      if(!walk.empty() && walk.back() == Flipped_edges::twin(h))
+        walk.pop_back();
+      else
+        walk.push_back(h);
       i = steps_[i].next;
-      part = crossings_of(i);
-      append_spokes(
-          v,
-          edges_.is_of_mesh(in) ? mesh_.ring(v).next(mesh_.position(v, edges_.source(in)))
-                                : mesh_.position(v, loop.back().right),
-          edges_.is_of_mesh(steps_[i].halfedge)
-              ? mesh_.ring(v).previous(mesh_.position(v, edges_.target(steps_[i].halfedge)))
-              : mesh_.position(v, part.front().right),
-          loop);
     } while(i != first_);
+    std::size_t spurs = 0;
+    while(2 * spurs + 1 < walk.size() &&
+          walk[spurs] == Flipped_edges::twin(walk[walk.size() - 1 - spurs]))
+      ++spurs;
+    return {walk.begin() + spurs, walk.end() - spurs};
+  }
+
+  // The way of the loop by a vertex, on one side of it.
+  struct Passage
+  {
+    bool has_vertex_right;
+    Crossing_loop spokes;
+  };
+
+  // The vertices lie to the left, but for those to the right of which there is a cap: on the
+  // surface without it the loop has to pass on their other side.
+  Crossing_loop crossings() {
+    const std::vector<Index> walk = halfedges();
+    const std::size_t n = walk.size();
+    std::vector<Crossing_loop> parts(n);
+    for(std::size_t i = 0; i < n; ++i)
+      edges_.append_crossings(walk[i], parts[i]);
+    std::vector<Passage> passages(n); // at the source of each halfedge
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t before = i == 0 ? n - 1 : i - 1;
+      const auto pass = [&](bool has_vertex_right) {
+        passages[i] = {has_vertex_right,
+                       spokes(walk[before], parts[before], walk[i], parts[i], has_vertex_right)};
+      };
+      pass(false);
+      if(std::any_of(passages[i].spokes.begin(), passages[i].spokes.end(),
+                     [&](const Crossing& c) { return mesh_.is_hub(c.right); }))
+        pass(true);
+    }
+    Crossing_loop loop;
+    for(std::size_t i = 0; i < n; ++i) {
+      loop.insert(loop.end(), passages[i].spokes.begin(), passages[i].spokes.end());
+      loop.insert(loop.end(), parts[i].begin(), parts[i].end());
+      const bool is_left = passages[i].has_vertex_right;
+      if(edges_.is_of_mesh(walk[i]) && passages[i + 1 == n ? 0 : i + 1].has_vertex_right != is_left)
+      {
+        const Index u = edges_.source(walk[i]), v = edges_.target(walk[i]);
+        loop.push_back(is_left ? Crossing{v, u, 1.} : Crossing{u, v, 0.});
+      }
+    }
     remove_backtracks(loop);
     return loop;
   }
 
-  Crossing_loop crossings_of(Index step) {
-    Crossing_loop part;
-    edges_.append_crossings(steps_[step].halfedge, part);
-    return part;
-  }
-
-  // From one position in the ring of a vertex to another, counterclockwise.
-  void append_spokes(Index v, Index first, Index last, Crossing_loop& loop) const {
+  // The edges that are crossed between two halfedges of the walk.
+  Crossing_loop spokes(Index in,
+                       const Crossing_loop& part_of_in,
+                       Index out,
+                       const Crossing_loop& part_of_out,
+                       bool has_vertex_right) {
+    const Index v = edges_.source(out);
     const Ring ring = mesh_.ring(v);
-    for(Index p = first;; p = ring.next(p)) {
-      loop.push_back({v, ring[p], 0.});
-      if(p == last)
-        return;
-    }
+    const auto step = [&](Index p) { return has_vertex_right ? ring.previous(p) : ring.next(p); };
+    const auto end_of = [&](const Crossing& c) { return has_vertex_right ? c.left : c.right; };
+    const Index first = edges_.is_of_mesh(in) ? step(mesh_.position(v, edges_.source(in)))
+                                              : mesh_.position(v, end_of(part_of_in.back())),
+                end = edges_.is_of_mesh(out) ? mesh_.position(v, edges_.target(out))
+                                             : step(mesh_.position(v, end_of(part_of_out.front())));
+    Crossing_loop spokes;
+    for(Index p = first; p != end; p = step(p))
+      spokes.push_back(has_vertex_right ? Crossing{ring[p], v, 1.} : Crossing{v, ring[p], 0.});
+    return spokes;
   }
 
   Execution execution_;

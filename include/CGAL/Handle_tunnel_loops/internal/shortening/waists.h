@@ -273,18 +273,19 @@ inline std::vector<Index> boundary_walk(const Flat_mesh& mesh, Index hub) {
 
 /// the curve a little inside of the surface. It enters no cap.
 inline Crossing_loop beside_boundary(const Flat_mesh& mesh, Index hub) {
-  return pushed_left(mesh, boundary_walk(mesh, hub));
+  return pushed_on_surface(mesh, boundary_walk(mesh, hub));
 }
 
-/// adds, of the boundary curves of each component, all but the last.
-inline void add_boundaries_of_basis(const Flat_mesh& mesh, std::vector<Crossing_loop>& loops) {
-  std::vector<Index> last(mesh.seeds.size(), no_index);
+/// the hubs of the boundary curves of each component but for the last.
+inline std::vector<Index> hubs_of_basis(const Flat_mesh& mesh) {
+  std::vector<Index> last(mesh.seeds.size(), no_index), hubs;
   const Index end = mesh.first_hub + mesh.number_of_hubs;
   for(Index hub = mesh.first_hub; hub < end; ++hub)
     last[mesh.component[hub]] = hub;
   for(Index hub = mesh.first_hub; hub < end; ++hub)
     if(last[mesh.component[hub]] != hub)
-      loops.push_back(beside_boundary(mesh, hub));
+      hubs.push_back(hub);
+  return hubs;
 }
 
 /// The searches for waists, with their memory.
@@ -313,9 +314,10 @@ inline Crossing_loop waist(const Flat_mesh& mesh, Index hub, Waist_searches& sea
   take_if_shorter(tightened);
   Crossing_loop found = search.cut(hub, length(mesh, best));
   take_if_shorter(found);
-  Crossing_loop walk =
-      pushed_left(mesh, search.walks.shortest(boundary_walk(mesh, hub),
-                                              search.cut.way_to_another(hub), length(mesh, best)));
+  // Not into a cap: tightening would lead the loop around it on either side, into another class.
+  Crossing_loop walk = pushed_on_surface(mesh, search.walks.shortest(boundary_walk(mesh, hub),
+                                                                     search.cut.way_to_another(hub),
+                                                                     length(mesh, best)));
   take_if_shorter(walk);
   return best;
 }
