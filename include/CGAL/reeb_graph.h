@@ -43,9 +43,13 @@ arcs represent the contours between them. The graph is computed exactly: only th
 function values matters, with ties broken by the indices of the vertices, and a saddle at which more
 than two contours merge is split into simple saddles. For any function, the following therefore
 holds before and after the simplification. The graph has one connected component for each component
-of the surface. The graph of a closed connected surface of genus g has g independent cycles. The
-number of minima and maxima minus the number of saddles is 2 - 2g. Each vertex of the mesh belongs
-to one arc.
+of the surface. If it has c independent cycles, the number of minima and maxima minus the number of
+saddles is 2 - 2c. For a closed connected surface of genus g, c is g. For one with b > 0 boundary
+curves, c is at least g and at most 2g + b - 1. Each vertex of the mesh belongs to one arc.
+
+Contours end at the boundary. Where two contours that both do so meet in a saddle, they exchange
+their ends: the graph has two saddles at the same vertex, joined by an arc without vertices. If
+`Reeb_options::capped` is set, boundary curves are closed by caps first, and c is g.
 
 The function is the arrival time of a front (\cgalCite{weinrauch2023variational}, section 6). On
 components with handles, the front starts at both sides of all handle loops, which places the joints
@@ -64,9 +68,9 @@ recognizable part of the surface.
 
 The running time for given function values is linear, except for sorting the vertices, plus the
 length of the shorter contour at each saddle where a contour splits. If these lengths add up to more
-than eight times the number of halfedges, the rest of the sweep takes \f$ O(n \log n) \f$. The
-memory is about 80 bytes per face, and 100 to 180 bytes per face if a third of the vertices are
-critical points.
+than eight times the number of halfedges, the rest of the sweep takes \f$ O(n \log n) \f$, as does
+the whole sweep if contours end at a boundary. The memory is about 80 bytes per face, and 100 to 180
+bytes per face if a third of the vertices are critical points.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag`, `Parallel_if_available_tag`, `Cuda_tag`,

@@ -151,6 +151,11 @@ struct Reeb_options
   /// whether several arcs may join the same two nodes, and an arc may join a node to itself. If
   /// set, the graph has no regular nodes.
   bool allow_parallel_arcs = false;
+
+  /// whether each boundary curve is closed by a cap before the graph is computed. On the cap, the
+  /// function has no extremum and no saddle of its own, unless it has several maxima on the curve.
+  /// If not set, contours end at the boundary.
+  bool capped = false;
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef
@@ -179,7 +184,8 @@ struct Reeb_statistics
   std::size_t genus = 0;                    ///< summed over the components
   std::size_t number_of_critical_nodes = 0; ///< nodes before the simplification
   std::uint64_t number_of_steps = 0;        ///< edges traversed where contours split
-  bool has_used_trees = false;              ///< whether the number of steps reached its limit
+  bool has_used_trees = false; ///< whether the number of steps reached its limit, or contours end
+                               ///< at a boundary
   /// the backend that computed the fields of a diffusion: "host", "cuda", "cuda, then host" or
   /// "reference"; empty for other functions.
   std::string backend;

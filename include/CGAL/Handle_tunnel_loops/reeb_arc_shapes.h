@@ -40,9 +40,18 @@ struct Reeb_arc_shapes
 /*!
 \ingroup PkgHandleTunnelLoopsRef
 
-Computes the girth of each arc of a Reeb graph: the length of the contour at the middle of the arc,
-counted by its vertices. If there are several contours at this level, because the arc goes down and
-up again or because limbs were removed, the girth is the length of the longest one.
+Computes the girth of each arc of a Reeb graph: the length of one of its contours, the polyline in
+which the mesh is cut just below the middle vertex of the arc, at the value of that vertex. The
+middle vertex has position n/2, rounded down, among the n vertices of the arc
+(`Reeb_arc::vertices`).
+
+In the full Reeb graph, this contour is unique. In a simplified graph, an arc may have several
+contours at this value, because it goes down and up again or because limbs were removed; the girth
+is the length of the contour that crosses most edges between vertices of the arc. An arc without
+vertices is cut just below its upper node. The girth is 0 if the middle vertex is a minimum. Caps
+are not part of the mesh: the girth does not count what a contour runs across them.
+
+The running time is linear in the size of the mesh and in the lengths of these contours.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam Graph `Reeb_graph<TriangleMesh, Point>`

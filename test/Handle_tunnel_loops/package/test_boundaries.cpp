@@ -104,7 +104,7 @@ TEST(Boundaries, AreReachedByCuts) {
     }
 }
 
-TEST(Boundaries, AreFilledByReebGraphs) {
+TEST(Boundaries, AreFilledByReebGraphsWithCaps) {
   using Graph = CGAL::Reeb_graph<Mesh>;
   Random random(4);
   for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 4}, 2)) {
@@ -112,12 +112,15 @@ TEST(Boundaries, AreFilledByReebGraphs) {
     const Mesh mesh = mesh_with_holes(recipe, 1 + random.below(9), 1 + random.below(60), random);
     for(const bool of_function : {false, true}) {
       Graph graph;
+      CGAL::Handle_tunnel_loops::Reeb_options options;
+      options.capped = true;
+      const auto np = CGAL::parameters::reeb_options(options);
       const auto height = [&](Mesh::Vertex_index v) { return mesh.point(v).z(); };
       const auto map = boost::make_function_property_map<Mesh::Vertex_index>(height);
       if(of_function)
-        CGAL::reeb_graph_of_function(mesh, map, graph);
+        CGAL::reeb_graph_of_function(mesh, map, graph, np);
       else
-        CGAL::reeb_graph(mesh, graph);
+        CGAL::reeb_graph(mesh, graph, np);
       EXPECT_EQ(num_edges(graph) + 1 - num_vertices(graph), recipe.request.genus);
       std::set<Mesh::Vertex_index> seen;
       for(const auto arc : boost::make_iterator_range(boost::edges(graph)))

@@ -2,6 +2,8 @@
 
 #include "Mesh_corpus.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
+#include "Reeb_by_definition.h"
 
 #include "generators/Random.h"
 
@@ -13,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <numeric>
@@ -212,6 +215,132 @@ TEST(Reeb_graph, HasAsManyCyclesAsHandlesWhateverTheFunction) {
     expect_reeb_graph(mesh, reeb);
     if(!options.allow_parallel_arcs)
       expect_simple(reeb.graph);
+  }
+}
+
+// By increasing value, of equal ones by number.
+std::vector<std::uint32_t> order_of(const Function& function) {
+  std::vector<std::uint32_t> order(function.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t v, std::uint32_t w) { return function[v] < function[w]; });
+  return order;
+}
+
+std::size_t number_of_cycles(const Reeb& reeb) {
+  return num_edges(reeb.graph) + reeb.statistics.number_of_components - num_vertices(reeb.graph);
+}
+
+TEST(Reeb_graph, OfASurfaceWithBoundaryIsThatOfTheDefinition) {
+  Random random(5);
+  for(int i = 0; i < number_of_cases(600); ++i) {
+    const std::size_t genus = random.below(4);
+    const Recipe recipe = {
+        "random",
+        {20 + 12 * genus + random.below(80), genus, static_cast<unsigned>(random.next())}};
+    const Soup closed = soup_of(recipe);
+    const std::size_t faces_less = random.below(closed.triangles.size());
+    SCOPED_TRACE(testing::Message() << recipe << ", " << faces_less << " faces less, " << i);
+    const Soup soup = reeb_by_definition::with_fewer_faces(closed, faces_less, random);
+    const Mesh mesh = mesh_of(soup);
+    const Function function = random_function(mesh, random, i % 4 == 0 ? 3 : 1000);
+    Options options;
+    options.allow_parallel_arcs = true;
+    const Reeb reeb = reeb_of(mesh, function, options);
+    ASSERT_EQ(reeb_by_definition::arcs_of(reeb.graph),
+              reeb_by_definition::arcs_of(soup, order_of(function)));
+    const auto topology = reeb_by_definition::topology_of(soup);
+    EXPECT_EQ(reeb.statistics.number_of_components, topology.number_of_components);
+    EXPECT_EQ(number_of_pieces(reeb.graph), topology.number_of_components);
+    EXPECT_GE(number_of_cycles(reeb), topology.genus);
+    EXPECT_LE(number_of_cycles(reeb), topology.most_cycles);
+    expect_arcs(mesh, reeb);
+  }
+}
+
+// In the plane, with so many vertices on each of its curves.
+Soup annulus(std::uint32_t n) {
+  Soup soup;
+  for(const double radius : {1., 2.})
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2. * CGAL_PI * (i + 0.3) / n;
+      soup.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.});
+    }
+  for(std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    soup.triangles.push_back({i, n + i, n + j});
+    soup.triangles.push_back({i, n + j, j});
+  }
+  return soup;
+}
+
+TEST(Reeb_graph, OfTheHeightOfAnAnnulusGoesAroundTheHole) {
+  const Mesh mesh = mesh_of(annulus(24));
+  Options options;
+  options.allow_parallel_arcs = true;
+  Function heights;
+  for(const auto& p : mesh.points())
+    heights.push_back(p.y());
+  const Reeb reeb = reeb_of(mesh, heights, options);
+  EXPECT_EQ(num_vertices(reeb.graph), 4u);
+  EXPECT_EQ(num_edges(reeb.graph), 4u);
+  options.capped = true;
+  const Reeb capped = reeb_of(mesh, heights, options);
+  EXPECT_EQ(num_vertices(capped.graph), 2u);
+  EXPECT_EQ(num_edges(capped.graph), 1u);
+}
+
+Soup soup_with_holes(const Recipe& recipe, Random& random) {
+  generators::Hole_request holes;
+  holes.number = 1 + random.below(5);
+  holes.faces = 1 + random.below(60);
+  holes.seed = static_cast<unsigned>(random.next());
+  holes.may_be_fewer = true;
+  return generators::with_holes(soup_of(recipe), holes);
+}
+
+TEST(Reeb_graph, OfADiffusionIsThatOfItsTimes) {
+  Random random(6);
+  for(const Recipe& recipe : enough_of(recipes_of_all_kinds({0, 1, 2, 5}, 1))) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Mesh mesh = mesh_of(soup_with_holes(recipe, random));
+    for(const bool capped : {false, true}) {
+      Options options;
+      options.allow_parallel_arcs = true;
+      options.capped = capped;
+      Function times(mesh.number_of_vertices());
+      const Reeb diffused = found(mesh, options, [&](Graph& graph, const auto& np) {
+        return CGAL::reeb_graph(mesh, graph,
+                                parameters::vertex_value_map(Vector_map<double>{&times}, np));
+      });
+      const Reeb expected = reeb_of(mesh, times, options);
+      EXPECT_EQ(arcs_of(diffused.graph, identity(mesh)), arcs_of(expected.graph, identity(mesh)));
+      if(capped)
+        expect_reeb_graph(mesh, diffused);
+    }
+  }
+}
+
+TEST(Reeb_graph, OfASurfaceWithBoundaryMayBeSimplified) {
+  Random random(7);
+  for(const Recipe& recipe : enough_of(recipes_of_all_kinds({0, 1, 2, 5}, 2))) {
+    SCOPED_TRACE(testing::Message() << recipe);
+    const Mesh mesh = mesh_of(soup_with_holes(recipe, random));
+    Options options;
+    options.allow_parallel_arcs = true;
+    const Function function =
+        random.below(2) == 0 ? height(mesh) : random_function(mesh, random, 99);
+    const std::size_t cycles = number_of_cycles(reeb_of(mesh, function, options));
+    for(const double shortest_arc : {0., 2.})
+      for(const auto measure : measures) {
+        options.shortest_arc = shortest_arc;
+        options.measure = measure;
+        options.threshold = 0.05;
+        const Reeb reeb = reeb_of(mesh, function, options);
+        EXPECT_EQ(number_of_cycles(reeb), cycles);
+        EXPECT_EQ(number_of_pieces(reeb.graph), reeb.statistics.number_of_components);
+        expect_arcs(mesh, reeb);
+      }
   }
 }
 
@@ -465,6 +594,47 @@ TEST(Reeb_arc_shapes, AreThoseOfTheGraph) {
       }
     }
   }
+}
+
+// A saddle is the middle of an arc with few vertices; contours of other arcs come to it, too.
+void expect_girths(const Soup& soup, Function function) {
+  const Mesh mesh = mesh_of(soup);
+  Options options;
+  options.allow_parallel_arcs = true;
+  Reeb reeb = reeb_of(mesh, function, options);
+  const std::vector<double> girths = CGAL::reeb_arc_girths(
+      mesh, reeb.graph, Vector_map<std::size_t>{&reeb.vertex_arc}, Vector_map<double>{&function});
+  for(const auto e : CGAL::make_range(edges(reeb.graph))) {
+    const auto& arc = reeb.graph[e];
+    if(arc.vertices.empty())
+      continue;
+    std::vector<double> lengths = reeb_by_definition::lengths_below(
+        soup, order_of(function), function, arc.vertices[arc.vertices.size() / 2]);
+    if(lengths.empty())
+      lengths.push_back(0.); // a minimum
+    const auto off = [&](double length) { return std::abs(length - girths[arc.index]); };
+    const double nearest = *std::min_element(lengths.begin(), lengths.end(),
+                                             [&](double a, double b) { return off(a) < off(b); });
+    EXPECT_NEAR(girths[arc.index], nearest, 1e-9 * (1. + nearest));
+  }
+}
+
+TEST(Reeb_arc_girths, AreThoseOfContoursCutFromTheMesh) {
+  Random random(8);
+  const auto heights = [](const Soup& soup, double noise, Random& random) {
+    Function function;
+    for(const auto& p : soup.points)
+      function.push_back(.3 * p[0] + .2 * p[1] + .93 * p[2] + random.uniform(0., noise));
+    return function;
+  };
+  for(const Recipe& recipe : {Recipe{"torus", {3000, 1, 0}}, Recipe{"multi-torus", {1500, 3, 0}},
+                              Recipe{"lattice", {1200, 5, 0}}, Recipe{"random", {300, 2, 1}}})
+    for(const double noise : {1e-9, 0.02}) {
+      SCOPED_TRACE(testing::Message() << recipe << ", noise " << noise);
+      expect_girths(soup_of(recipe), heights(soup_of(recipe), noise, random));
+      const Soup open = soup_with_holes(recipe, random);
+      expect_girths(open, heights(open, noise, random));
+    }
 }
 
 class Reeb_graph_of_corpus : public testing::TestWithParam<std::filesystem::path>

@@ -97,7 +97,8 @@ fronts_at(const Flat_mesh& mesh, const Sweep_order& order, Index v, bool is_abov
   for(const auto& [edge, contour] : contours)
     if(fronts.count(contour) != 0) {
       const auto ring = mesh.ring(edge.first);
-      fronts[contour] += crossing_of_front(mesh, edge.first, ring, ring.position(edge.second));
+      fronts[contour] +=
+          crossing_of_front(mesh, order, edge.first, ring, ring.position(edge.second));
     }
   std::vector<Front_mean> all;
   for(const auto& [contour, front] : fronts)

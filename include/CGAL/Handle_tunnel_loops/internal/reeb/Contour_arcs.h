@@ -60,11 +60,18 @@ Lower_link_components find_lower_components(Ring ring, const IsLower& is_lower) 
 /// the clockwise end of lower component i, keeps the lower side on its left, and comes back at the
 /// counterclockwise end of lower component `arrival`. Below the vertex the contour arcs are joined
 /// around the lower components, above it around the gaps between them.
+///
+/// A contour may end at a hole. The contour arc that leads there does not arrive; one that comes
+/// from there leaves at no lower component, and stands after those that do. At a hole beside the
+/// vertex itself, such contour arcs are empty.
 struct Contour_arc
 {
-  Index arrival;
-  Index arc; ///< before the vertex is passed, that of the contour below; then that of the one above
+  Index arrival; ///< none at a hole
+  Index
+      arc; ///< before the vertex is passed, that of the contour below; then that of the one above;
+           ///< none of a contour that is only the vertex, where it comes to a hole or leaves it
   Front_mean front; ///< of the contour arc alone
+  bool is_empty = false;
 };
 
 using Contour_arcs = std::vector<Contour_arc>;
@@ -75,10 +82,12 @@ class Swept_vertex
 public:
   Swept_vertex(const Flat_mesh& mesh, const Sweep_order& order, Index center)
       : mesh_(mesh)
+      , order_(order)
       , center_(center)
       , ring_(mesh.ring(center))
-      , lower_components_(find_lower_components(
-            ring_, [&](Index p) { return order.rank(ring_[p]) < order.rank(center); })) {
+      , lower_components_(find_lower_components(ring_, [&](Index p) {
+        return is_in_lower_component(order, ring_, p, order.rank(center));
+      })) {
     for(Index i = 0; i < number_of_lower_components(); ++i)
       ends_.emplace_back(ring_[lower_components_[i].last], i);
     std::sort(ends_.begin(), ends_.end());
@@ -94,37 +103,48 @@ public:
   Index first_of(Index i) const { return ring_[lower_components_[i].first]; }
   Index before_first_of(Index i) const { return ring_[ring_.previous(lower_components_[i].first)]; }
 
-  /// the lower component whose counterclockwise end is \p v.
+  /// the vertices of lower component i at its counterclockwise end, and after it counterclockwise.
+  Index last_of(Index i) const { return ring_[lower_components_[i].last]; }
+  Index after_last_of(Index i) const { return ring_[ring_.next(lower_components_[i].last)]; }
+
+  /// whether lower component i is only a hole.
+  bool is_hole(Index i) const { return order_.is_hole(first_of(i)); }
+
+  /// whether a contour ends where it leaves lower component i, or begins where it arrives there.
+  bool leaves_to_hole(Index i) const { return is_hole(i) || order_.is_hole(before_first_of(i)); }
+  bool arrives_from_hole(Index i) const { return is_hole(i) || order_.is_hole(after_last_of(i)); }
+
+  /// the lower component whose counterclockwise end is \p v, if there is one.
   Index lower_component_that_ends_at(Index v) const {
     const auto it = std::lower_bound(ends_.begin(), ends_.end(), std::make_pair(v, Index(0)));
-    CGAL_assertion_msg(it != ends_.end() && it->first == v,
+    CGAL_assertion_msg(order_.has_holes() || (it != ends_.end() && it->first == v),
                        "a contour arrives at the end of a lower component");
-    return it->second;
+    return it != ends_.end() && it->first == v ? it->second : no_index;
   }
 
-  /// calls `f(p)` for the positions of lower component i, counterclockwise.
+  /// calls `f(p)` for the positions of lower component i, counterclockwise; not for holes.
   template <typename Function> void for_each_below(Index i, const Function& f) const {
-    for(Index p = lower_components_[i].first; p != ring_.next(lower_components_[i].last);
-        p = ring_.next(p))
-      f(p);
+    for_each_between(lower_components_[i].first, ring_.next(lower_components_[i].last), f);
   }
 
-  /// calls `f(p)` for the positions in the gap after lower component i, counterclockwise.
+  /// calls `f(p)` for the positions in the gap after lower component i, counterclockwise; not for
+  /// holes.
   template <typename Function> void for_each_above(Index i, const Function& f) const {
-    for(Index p = ring_.next(lower_components_[i].last);
-        p != lower_components_[next_lower_component(i)].first; p = ring_.next(p))
-      f(p);
+    for_each_between(ring_.next(lower_components_[i].last),
+                     lower_components_[next_lower_component(i)].first, f);
   }
 
   Front_mean front_below(Index i) const {
     Front_mean front;
-    for_each_below(i, [&](Index p) { front += crossing_of_front(mesh_, center_, ring_, p); });
+    for_each_below(i,
+                   [&](Index p) { front += crossing_of_front(mesh_, order_, center_, ring_, p); });
     return front;
   }
 
   Front_mean front_above(Index i) const {
     Front_mean front;
-    for_each_above(i, [&](Index p) { front += crossing_of_front(mesh_, center_, ring_, p); });
+    for_each_above(i,
+                   [&](Index p) { front += crossing_of_front(mesh_, order_, center_, ring_, p); });
     return front;
   }
 
@@ -138,7 +158,14 @@ public:
   Index slot_of_lower_component(Index i) const { return slot_below(lower_components_[i].first); }
 
 private:
+  template <typename Function> void for_each_between(Index p, Index end, const Function& f) const {
+    for(; p != end; p = ring_.next(p))
+      if(!order_.is_hole(ring_[p]))
+        f(p);
+  }
+
   const Flat_mesh& mesh_;
+  const Sweep_order& order_;
   Index center_;
   Ring ring_;
   Lower_link_components lower_components_;

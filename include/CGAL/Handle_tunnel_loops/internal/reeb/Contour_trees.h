@@ -143,7 +143,7 @@ private:
   Front_mean front_along(const std::vector<Crossed_edge>& edges) const {
     Front_mean front;
     for(const Crossed_edge& edge : edges)
-      front += crossing_of_front(mesh_, edge.lower, mesh_.ring(edge.lower), edge.position);
+      front += crossing_of_front(mesh_, order_, edge.lower, mesh_.ring(edge.lower), edge.position);
     return front;
   }
 
@@ -216,8 +216,9 @@ private:
 
 /*!
 The contours at the present level, as splay trees of the edges that they cross: for functions on
-which walking would take too long. A contour is a sequence that begins anywhere. To cut it, to join
-two parts, and to find its arc takes logarithmic amortized time, however long it is.
+which walking would take too long, and for surfaces with holes. A contour is a sequence that begins
+anywhere, or at a hole, if it ends at one. To cut it, to join two parts, and to find its arc takes
+logarithmic amortized time, however long it is.
 */
 class Contour_trees
 {
@@ -240,52 +241,88 @@ public:
 
   /// a new contour begins around the minimum \p v.
   void start(Index v, Index arc) {
-    Index root = none;
-    for(Index p = 0; p < mesh_.ring(v).size(); ++p)
-      root = joined(root, new_node(v, p));
-    nodes_[root].arc = arc;
+    const Ring ring = mesh_.ring(v);
+    Index first = 0; // after the hole, if there is one
+    for(Index p = 0; p < ring.size(); ++p)
+      if(order_.is_hole(ring[p]))
+        first = ring.next(p);
+    Index root = none, p = first;
+    const bool is_open = order_.is_hole(ring[ring.previous(first)]);
+    do {
+      if(!order_.is_hole(ring[p]))
+        root = joined(root, new_node(v, p));
+      p = ring.next(p);
+    } while(p != first);
+    set_contour(root, arc, is_open);
   }
 
   /// the contour around the maximum \p v ends; returns its arc.
   Index end(Index v) {
-    const Ring ring = mesh_.ring(v);
-    CGAL_precondition(node_[slot_of(mesh_, ring[0], v)] != none);
-    const Index arc = nodes_[splayed(node_[slot_of(mesh_, ring[0], v)])].arc;
-    for(Index u : ring)
-      forget(slot_of(mesh_, u, v));
+    Index arc = no_index;
+    for(Index u : mesh_.ring(v))
+      if(!order_.is_hole(u)) {
+        const Index node = node_[slot_of(mesh_, u, v)];
+        CGAL_precondition(node != none);
+        if(arc == no_index)
+          arc = nodes_[splayed(node)].arc;
+        forget(slot_of(mesh_, u, v));
+      }
     return arc;
   }
 
   /// finds the contour arcs at a saddle or a regular vertex, and takes out what is between them.
   void cut(const Swept_vertex& at, Contour_arcs& contour_arcs) {
     const Index k = at.number_of_lower_components();
-    contour_arcs.resize(k);
+    contour_arcs.assign(k, {no_index, no_index, {}});
     for(Index i = 0; i < k; ++i)
-      contour_arcs[i].arc = nodes_[splayed(node_[at.slot_of_lower_component(i)])].arc;
+      if(!at.is_hole(i))
+        contour_arcs[i].arc = nodes_[splayed(node_[at.slot_of_lower_component(i)])].arc;
     for(Index i = 0; i < k; ++i)
-      cut_at_lower_component(at, i);
+      if(!at.is_hole(i))
+        cut_at_lower_component(at, i);
+    is_reached_.assign(k, 0);
     for(Index i = 0; i < k; ++i) {
+      contour_arcs[i].is_empty = at.leaves_to_hole(i);
+      if(contour_arcs[i].is_empty)
+        continue;
       const Index first = splayed(leaving_node(at, i));
       contour_arcs[i].front = nodes_[first].sum;
-      contour_arcs[i].arrival = at.lower_component_that_ends_at(nodes_[last_of(first)].lower);
+      contour_arcs[i].arrival = arrival(at, last_of(first));
+      if(contour_arcs[i].arrival != no_index)
+        is_reached_[contour_arcs[i].arrival] = 1;
     }
+    for(Index i = 0; i < k; ++i)
+      if(is_reached_[i] == 0) {
+        const bool is_empty = at.arrives_from_hole(i);
+        contour_arcs.push_back({i, contour_arcs[i].arc,
+                                is_empty ? Front_mean() : nodes_[splayed(arriving_node(at, i))].sum,
+                                is_empty});
+      }
   }
 
   /// joins the contour arcs around the gaps above; they now name the arcs that they belong to.
   void join(const Swept_vertex& at, const Contour_arcs& contour_arcs) {
-    is_joined_.assign(contour_arcs.size(), 0);
-    for(Index first = 0; first < at.number_of_lower_components(); ++first) {
+    const Index k = at.number_of_lower_components();
+    const Index n = static_cast<Index>(contour_arcs.size());
+    is_joined_.assign(n, 0);
+    for(Index j = 0; j < n; ++j) { // contours that come from a hole first
+      const Index first = j < n - k ? k + j : j - (n - k);
       if(is_joined_[first])
         continue;
       Index root = none, i = first;
       do {
         is_joined_[i] = 1;
-        root = joined(root, splayed(leaving_node(at, i)));
+        if(!contour_arcs[i].is_empty)
+          root = joined(root, splayed(i < k ? leaving_node(at, i)
+                                            : arriving_node(at, contour_arcs[i].arrival)));
+        if(contour_arcs[i].arrival == no_index)
+          break;
         at.for_each_above(contour_arcs[i].arrival,
                           [&](Index p) { root = joined(root, new_node(at.center(), p)); });
         i = at.next_lower_component(contour_arcs[i].arrival);
       } while(i != first);
-      nodes_[root].arc = contour_arcs[first].arc;
+      if(root != none)
+        set_contour(root, contour_arcs[first].arc, first >= k);
     }
   }
 
@@ -296,7 +333,8 @@ private:
   {
     Index up, left, right; // the tree
     Index lower;           // lower end of the edge
-    Index arc;             // of the contour, kept at the root; none while the contour is open
+    Index arc;             // of the contour, kept at the root; none of a part of a contour
+    bool has_ends;         // of the contour, at holes; kept at the root
     Front_mean own, sum;   // of the edge, of the subtree
   };
 
@@ -307,15 +345,20 @@ private:
       root = joined(root, new_node(walk.left(), walk.position()));
       walk.advance(no_index);
     } while(walk.slot() != first);
-    nodes_[root].arc = labels.arc_at(first);
+    set_contour(root, labels.arc_at(first), false);
   }
 
-  // After the first cut the contour is a sequence that begins with the contour arc that leaves
-  // there; further cuts part it.
+  void set_contour(Index root, Index arc, bool has_ends) {
+    nodes_[root].arc = arc;
+    nodes_[root].has_ends = has_ends;
+  }
+
+  // After the first cut a closed contour is a sequence that begins with the contour arc that leaves
+  // there; further cuts part it, and so does each cut of a contour that ends at holes.
   void cut_at_lower_component(const Swept_vertex& at, Index i) {
     const Index end =
         splayed(node_[at.slot_of_lower_component(i)]); // of the lower component, in clockwise order
-    const bool is_closed = nodes_[end].arc != no_index;
+    const bool is_closed = nodes_[end].arc != no_index && !nodes_[end].has_ends;
     const Index after = std::exchange(nodes_[end].right, none);
     add_up(end);
     nodes_[after].up = none;
@@ -334,6 +377,18 @@ private:
     return node_[slot_of(mesh_, at.first_of(i), at.before_first_of(i))];
   }
 
+  Index arriving_node(const Swept_vertex& at, Index i) const {
+    return node_[slot_of(mesh_, at.last_of(i), at.after_last_of(i))];
+  }
+
+  // The lower component at which a contour arc with this last edge arrives, if it does.
+  Index arrival(const Swept_vertex& at, Index last) const {
+    const Index i = at.lower_component_that_ends_at(nodes_[last].lower);
+    const bool arrives = i != no_index && !at.arrives_from_hole(i) && arriving_node(at, i) == last;
+    CGAL_assertion(arrives || order_.has_holes());
+    return arrives ? i : no_index;
+  }
+
   Index new_node(Index lower, Index position) {
     Index node;
     if(free_.empty()) {
@@ -343,8 +398,8 @@ private:
       node = free_.back();
       free_.pop_back();
     }
-    const Front_mean front = crossing_of_front(mesh_, lower, mesh_.ring(lower), position);
-    nodes_[node] = {none, none, none, lower, no_index, front, front};
+    const Front_mean front = crossing_of_front(mesh_, order_, lower, mesh_.ring(lower), position);
+    nodes_[node] = {none, none, none, lower, no_index, false, front, front};
     node_[mesh_.row_begin[lower] + position] = node;
     return node;
   }
@@ -404,6 +459,7 @@ private:
       root = nodes_[root].up;
     CGAL_assertion(node != none);
     const Index arc = nodes_[root].arc;
+    const bool has_ends = nodes_[root].has_ends;
     while(nodes_[node].up != none) {
       const Index parent = nodes_[node].up, above = nodes_[parent].up;
       if(above != none) {
@@ -412,7 +468,7 @@ private:
       }
       rotate(node);
     }
-    nodes_[node].arc = arc;
+    set_contour(node, arc, has_ends);
     return node;
   }
 
@@ -421,7 +477,7 @@ private:
   std::vector<Index> node_; // by slot
   std::vector<Node> nodes_;
   std::vector<Index> free_;
-  std::vector<char> is_joined_;
+  std::vector<char> is_reached_, is_joined_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

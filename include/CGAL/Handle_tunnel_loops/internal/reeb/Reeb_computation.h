@@ -101,13 +101,12 @@ Embedded_reeb_graph find_reeb_graph(Execution execution,
                                     const Flat_mesh& mesh,
                                     const Key& key,
                                     const Value& value,
-                                    Reeb_measure measure,
-                                    double threshold,
-                                    double shortest_arc,
+                                    Reeb_measure default_measure,
+                                    const Reeb_options& options,
                                     Reeb_statistics& statistics) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
-  const Sweep_order order(execution, mesh, key);
+  const Sweep_order order(execution, mesh, key, options.capped);
   Flat_reeb_graph graph = [&] {
     const std::vector<Star> stars = sweep_stars(execution, mesh, order);
     const std::uint64_t largest_number_of_steps = 8 * std::uint64_t(mesh.neighbor.size());
@@ -120,8 +119,9 @@ Embedded_reeb_graph find_reeb_graph(Execution execution,
   statistics.number_of_critical_nodes = graph.nodes.size();
   const auto has_swept = Clock::now();
   statistics.seconds_of_sweep = std::chrono::duration<double>(has_swept - began).count();
-  Embedded_reeb_graph result = Reeb_finishing<Value>(execution, mesh, order, graph, value)
-                                   .run(measure, threshold, shortest_arc);
+  Embedded_reeb_graph result =
+      Reeb_finishing<Value>(execution, mesh, order, graph, value)
+          .run(options.measure.value_or(default_measure), options.threshold, options.shortest_arc);
   statistics.seconds_of_finishing = std::chrono::duration<double>(Clock::now() - has_swept).count();
   return result;
 }
@@ -195,8 +195,7 @@ public:
     const auto began = Clock::now();
     const Function_on_vertices function(mesh_, map, vertices_);
     statistics_.seconds_of_function = seconds_since(began);
-    return find([&](Index v) { return function.key(v); },
-                [&](Index v) { return function.value(v); }, Reeb_measure::PERSISTENCE, graph);
+    return find(function, graph);
   }
 
   /// the graph of the arrival times that `find_times()` returns, given the mesh and a record of
@@ -205,7 +204,10 @@ public:
   Reeb_statistics run_on_times(const FindTimes& find_times, Graph& graph) {
     const auto began = Clock::now();
     Statistics statistics;
-    const std::vector<Time> times = find_times(mesh_, statistics);
+    std::vector<Time> times = find_times(mesh_, statistics);
+    // As of any function: what the front does in a cap is no matter of the surface.
+    for(Index hub = mesh_.first_hub; hub < mesh_.number_of_vertices(); ++hub)
+      times[hub] = times[middle_of_curve(mesh_, hub, [&](Index u) { return times[u]; })];
     statistics_.backend = statistics.backend;
     statistics_.fallback = statistics.fallback;
     statistics_.seconds_of_function = seconds_since(began);
@@ -219,12 +221,18 @@ private:
     return std::chrono::duration<double>(Clock::now() - began).count();
   }
 
+  // Once for all types of maps.
+  template <typename Graph>
+  Reeb_statistics find(const Function_on_vertices& function, Graph& graph) {
+    return find([&](Index v) { return function.key(v); },
+                [&](Index v) { return function.value(v); }, Reeb_measure::PERSISTENCE, graph);
+  }
+
   template <typename Key, typename Value, typename Graph>
   Reeb_statistics
   find(const Key& key, const Value& value, Reeb_measure default_measure, Graph& graph) {
     Embedded_reeb_graph flat =
-        find_reeb_graph(execution_, mesh_, key, value, options_.measure.value_or(default_measure),
-                        options_.threshold, options_.shortest_arc, statistics_);
+        find_reeb_graph(execution_, mesh_, key, value, default_measure, options_, statistics_);
     const auto began = Clock::now();
     name_hubs(key);
     if(!options_.allow_parallel_arcs)

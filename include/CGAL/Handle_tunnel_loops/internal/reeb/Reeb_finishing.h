@@ -77,8 +77,9 @@ public:
   contracted_graph(Reeb_measure measure, double threshold, double shortest_arc) const {
     auto [paths, path_of_arc] = simplified(measure, threshold);
     std::vector<Index> part_of_vertex(graph_.vertex_arc.size());
+    // Borders are moved on the surface with its caps: a hole goes with a vertex beside it.
     for(Index v = 0; v < part_of_vertex.size(); ++v)
-      part_of_vertex[v] = path_of_arc[graph_.vertex_arc[v]];
+      part_of_vertex[v] = path_of_arc[graph_.vertex_arc[order_.is_hole(v) ? mesh_.ring(v)[0] : v]];
     Arc_contraction contraction(graph_.nodes.size(), sized_arcs(paths, part_of_vertex),
                                 shared_borders(mesh_, part_of_vertex));
     contraction.run(shortest_arc);
@@ -152,7 +153,7 @@ private:
       extents[a].high = value_(graph_.nodes[graph_.arcs[a].upper].vertex);
       embedding_.measure(static_cast<Index>(a), extents[a]);
     });
-    for(Index v = 0; v < graph_.vertex_arc.size(); ++v)
+    for(Index v = 0; v < order_.vertices().size(); ++v) // holes come last
       extents[graph_.vertex_arc[v]].amount += amount_at(v, measure);
     return extents;
   }
@@ -163,7 +164,7 @@ private:
     double sum = 0.;
     for(Index p = 0; p < ring.size(); ++p) {
       const Index a = ring[p], b = ring[ring.next(p)];
-      if(v < a && v < b)
+      if(v < a && v < b && !order_.is_hole(a) && !order_.is_hole(b))
         sum += norm(cross(mesh_.points[a] - mesh_.points[v], mesh_.points[b] - mesh_.points[v]));
     }
     return sum;
@@ -183,7 +184,7 @@ private:
       extents[c].low = extents[c].high = value_(mesh_.seeds[c]);
       boxes[c] = {mesh_.points[mesh_.seeds[c]], mesh_.points[mesh_.seeds[c]]};
     }
-    for(Index v = 0; v < mesh_.number_of_vertices(); ++v) {
+    for(Index v = 0; v < order_.vertices().size(); ++v) {
       Arc_extent& extent = extents[mesh_.component[v]];
       Bounds& box = boxes[mesh_.component[v]];
       extent.low = (std::min)(extent.low, value_(v));
@@ -214,8 +215,8 @@ private:
       arcs.push_back({path.lower, path.upper, 0.,
                       0.5 * (girth(path.pieces.front(), true) + girth(path.pieces.back(), false))});
     }
-    for(Index v = 0; v < part_of_vertex.size(); ++v)
-      arcs[part_of_vertex[v]].area += area_around(mesh_, v);
+    for(Index v = 0; v < order_.vertices().size(); ++v)
+      arcs[part_of_vertex[v]].area += area_around(mesh_, v, !order_.has_holes());
     return arcs;
   }
 

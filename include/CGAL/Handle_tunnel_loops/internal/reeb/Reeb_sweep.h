@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,11 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /*!
 Unfolds a saddle with k lower components into k - 1 simple ones. In step i the contour arc around
 lower components 0 .. i - 1 and the contour arc around lower component i are cut and joined
-crosswise. If they belong to different contours, these meet; if not, their contour parts.
+crosswise. If they belong to different contours, these meet; if not, their contour parts. Two
+different contours that both end at holes exchange their ends: they meet, and part.
+
+A contour that is only the vertex, beside a hole, is none: nothing meets it, and nothing parts from
+it. So a closed contour that is cut open there, or closes, goes on.
 */
 class Saddle_resolution
 {
@@ -39,19 +44,25 @@ public:
   /// meet, or `part(a)`, which gives the two arcs above of one that parts. Then the contour arcs
   /// name the arcs above the saddle.
   template <typename Meet, typename Part>
-  void resolve(Contour_arcs& contour_arcs, const Meet& meet, const Part& part) {
-    start(contour_arcs);
-    for(Index i = 1; i < contour_arcs.size(); ++i) {
+  void resolve(Index number_of_lower_components,
+               Contour_arcs& contour_arcs,
+               const Meet& meet,
+               const Part& part) {
+    start(number_of_lower_components, contour_arcs);
+    for(Index i = 1; i < number_of_lower_components; ++i) {
       const Index a = contour_of(incoming_[i - 1]), b = contour_of(incoming_[i]);
       std::swap(leaving_[i - 1], leaving_[i]);
+      std::swap(place_[leaving_[i - 1]], place_[leaving_[i]]);
+      const bool do_part = a == b || (has_ends_[a] && has_ends_[b]);
       if(a != b) {
         next_[b] = a;
-        arc_[a] = meet(arc_[a], arc_[b]);
-      } else {
-        const auto [arc, other] = part(arc_[a]);
-        arc_[a] = arc;
-        separate_shorter(contour_arcs, i - 1, i, other);
+        has_ends_[a] = has_ends_[a] || has_ends_[b];
+        arc_[a] = arc_[a] == no_index   ? arc_[b]
+                  : arc_[b] == no_index ? arc_[a]
+                                        : meet(arc_[a], arc_[b]);
       }
+      if(do_part)
+        separate(contour_arcs, a, b, i, part);
     }
     for(Index i = 0; i < contour_arcs.size(); ++i)
       contour_arcs[i].arc = arc_[contour_of(i)];
@@ -59,39 +70,35 @@ public:
 
 private:
   // Contour_arcs of one contour below have one number.
-  void start(const Contour_arcs& contour_arcs) {
-    const Index k = static_cast<Index>(contour_arcs.size());
-    incoming_.resize(k);
+  void start(Index k, const Contour_arcs& contour_arcs) {
+    const Index n = static_cast<Index>(contour_arcs.size());
+    incoming_.assign(k, no_index);
     leaving_.resize(k);
-    contour_.assign(k, no_index);
+    contour_.assign(n, no_index);
     next_.clear();
     arc_.clear();
+    has_ends_.clear();
     std::iota(leaving_.begin(), leaving_.end(), Index(0));
-    CGAL_expensive_precondition(is_permutation(contour_arcs));
-    for(Index i = 0; i < k; ++i) {
-      incoming_[contour_arcs[i].arrival] = i;
+    place_ = leaving_;
+    for(Index i = 0; i < n; ++i)
+      if(contour_arcs[i].arrival != no_index) {
+        CGAL_expensive_precondition(incoming_[contour_arcs[i].arrival] == no_index);
+        incoming_[contour_arcs[i].arrival] = i;
+      }
+    for(Index j = 0; j < n; ++j) { // contours that come from a hole first
+      const Index i = j < n - k ? k + j : j - (n - k);
       if(contour_[i] != no_index)
         continue;
-      const Index contour = new_contour(contour_arcs[i].arc);
-      for(Index j = i; contour_[j] == no_index; j = contour_arcs[j].arrival)
-        contour_[j] = contour;
+      const Index contour = new_contour(contour_arcs[i].arc, i >= k);
+      for(Index c = i; c != no_index && contour_[c] == no_index; c = contour_arcs[c].arrival)
+        contour_[c] = contour;
     }
   }
 
-  // Whether one arc arrives at each lower component.
-  static bool is_permutation(const Contour_arcs& contour_arcs) {
-    std::vector<char> is_taken(contour_arcs.size(), 0);
-    for(const Contour_arc& arc : contour_arcs) {
-      if(arc.arrival >= is_taken.size() || is_taken[arc.arrival])
-        return false;
-      is_taken[arc.arrival] = 1;
-    }
-    return true;
-  }
-
-  Index new_contour(Index arc) {
+  Index new_contour(Index arc, bool has_ends) {
     next_.push_back(static_cast<Index>(next_.size()));
     arc_.push_back(arc);
+    has_ends_.push_back(has_ends);
     return next_.back();
   }
 
@@ -102,30 +109,64 @@ private:
     return c;
   }
 
-  // The contours that leave lower components i and j are gone along in turns, and the one that
-  // closes first gets a new number.
-  void separate_shorter(const Contour_arcs& contour_arcs, Index i, Index j, Index arc) {
-    Index at[2] = {i, j};
-    const Index first[2] = {i, j};
+  // Parts contour a into those around lower components i - 1 and i. They are gone along in turns,
+  // and the shorter one gets a new number.
+  template <typename Part>
+  void separate(const Contour_arcs& contour_arcs, Index a, Index b, Index i, const Part& part) {
+    Way ways[2] = {{i - 1, i - 1}, {i, i}};
     passed_[0].clear();
     passed_[1].clear();
-    for(int side = 0;; side = 1 - side) {
-      const Index contour_arc = leaving_[at[side]];
-      passed_[side].push_back(contour_arc);
-      at[side] = contour_arcs[contour_arc].arrival;
-      if(at[side] == first[side]) {
-        const Index contour = new_contour(arc);
-        for(Index s : passed_[side])
-          contour_[s] = contour;
-        return;
-      }
+    int side = 0;
+    while(advance(contour_arcs, ways[side], passed_[side]))
+      side = 1 - side;
+    const auto is_none = [&](Index component) {
+      return contour_arcs[leaving_[component]].is_empty &&
+             contour_arcs[incoming_[component]].is_empty;
+    };
+    const bool is_shorter_none = is_none(ways[side].first),
+               is_other_none = is_none(ways[1 - side].first);
+    Index arc = is_other_none ? no_index : arc_[a], other = is_shorter_none ? no_index : arc_[a];
+    if(!is_shorter_none && !is_other_none)
+      std::tie(arc, other) = part(arc_[a]);
+    const bool has_ends = ways[side].is_backward;
+    arc_[a] = arc;
+    has_ends_[a] = has_ends_[a] && (a != b || !has_ends); // one of two that were one is closed
+    const Index contour = new_contour(other, has_ends);
+    for(const Index c : passed_[side])
+      contour_[c] = contour;
+  }
+
+  // Along a contour from a lower component on; from where it ends at a hole, backwards from there.
+  struct Way
+  {
+    Index first, at; // lower components
+    bool is_backward = false;
+  };
+
+  // Returns false at the end.
+  bool advance(const Contour_arcs& contour_arcs, Way& way, std::vector<Index>& passed) const {
+    passed.push_back(way.is_backward ? incoming_[way.at] : leaving_[way.at]);
+    if(way.is_backward) {
+      if(passed.back() >= leaving_.size())
+        return false;
+      way.at = place_[passed.back()];
+      return true;
     }
+    way.at = contour_arcs[passed.back()].arrival;
+    if(way.at == no_index) {
+      way.at = way.first;
+      way.is_backward = true;
+      return true;
+    }
+    return way.at != way.first;
   }
 
   std::vector<Index> incoming_, leaving_; // by lower component, a contour arc
+  std::vector<Index> place_;              // by contour arc, the lower component where it leaves
   std::vector<Index> contour_;            // by contour arc, a number
   std::vector<Index> next_;               // by number, another one that it became a part of
   std::vector<Index> arc_;                // by number
+  std::vector<char> has_ends_;            // by number, at holes
   std::vector<Index> passed_[2];
 };
 
@@ -138,9 +179,12 @@ contours that are different meet, and one that comes to it twice parts; a saddle
 lower components is unfolded. Hence a closed surface of genus g has g independent cycles whatever
 the order is, by Euler's formula: k lower components make k - 1 nodes with three arcs.
 
+Where the order leaves holes, contours end there. What the graph of a closed surface loses or gains
+by a hole depends on the function: g to 2 g + b - 1 cycles, if there are b holes.
+
 As long as few edges are walked over, the contours are kept as labels, which is linear but for a
-sort; if many, they go over into trees, and the rest takes O(n log n). So all takes O(n log n) in
-any case.
+sort; if many, or if there are holes, they are kept as trees, and the rest takes O(n log n). So all
+takes O(n log n) in any case.
 */
 class Reeb_sweep
 {
@@ -160,20 +204,22 @@ public:
       , squared_spacing_(spacing * spacing) {}
 
   Flat_reeb_graph run() {
-    graph_.vertex_arc.resize(mesh_.number_of_vertices());
-    reserve();
+    graph_.vertex_arc.assign(mesh_.number_of_vertices(), no_index);
+    if(!order_.has_holes())
+      reserve();
     const std::vector<Index>& vertices = order_.vertices();
     std::size_t r = 0;
-    for(; r < vertices.size() && labels_.number_of_steps() <= largest_number_of_steps_; ++r)
-      pass_with_labels(vertices[r]);
+    if(!order_.has_holes())
+      for(; r < vertices.size() && labels_.number_of_steps() <= largest_number_of_steps_; ++r)
+        pass_with_labels(vertices[r]);
     if(r < vertices.size()) {
       trees_ = std::make_unique<Contour_trees>(mesh_, order_);
       trees_->build(labels_, static_cast<Index>(r));
       for(; r < vertices.size(); ++r)
         pass_with_trees(vertices[r]);
     }
-    CGAL_postcondition_msg(graph_.nodes.size() == number_of_nodes_ &&
-                               graph_.arcs.size() == number_of_arcs_,
+    CGAL_postcondition_msg(order_.has_holes() || (graph_.nodes.size() == number_of_nodes_ &&
+                                                  graph_.arcs.size() == number_of_arcs_),
                            "as many nodes and arcs as Euler's formula says");
     CGAL_expensive_postcondition(are_degrees_right());
     return std::move(graph_);
@@ -183,7 +229,7 @@ public:
   bool has_used_trees() const { return trees_ != nullptr; }
 
 private:
-  // Euler's formula tells how many nodes and arcs there will be.
+  // Euler's formula tells how many nodes and arcs there will be, if there are no holes.
   void reserve() {
     std::size_t extrema = 0;
     for(const Star& star : stars_)
@@ -299,15 +345,16 @@ private:
   // Nodes are made for each simple saddle, at the mean of all that comes to the vertex.
   void resolve(const Swept_vertex& at) {
     const Index v = at.center();
-    graph_.vertex_arc[v] = contour_arcs_[0].arc;
+    const Index number_of_nodes = static_cast<Index>(graph_.nodes.size());
+    graph_.vertex_arc[v] = contour_arcs_[at.is_hole(0) ? 1 : 0].arc;
     Front_mean below;
-    for(Index i = 0; i < at.number_of_lower_components(); ++i) {
-      below += contour_arcs_[i].front;
+    for(const Contour_arc& contour_arc : contour_arcs_)
+      below += contour_arc.front;
+    for(Index i = 0; i < at.number_of_lower_components(); ++i)
       below += at.front_below(i);
-    }
     const Vector position = below.mean(mesh_.points[v]);
     resolution_.resolve(
-        contour_arcs_,
+        at.number_of_lower_components(), contour_arcs_,
         [&](Index a, Index b) {
           const Index node = add_node(v, Node_kind::SADDLE, position);
           end_arc(a, node);
@@ -320,15 +367,28 @@ private:
           const Index first = add_arc(node);
           return std::make_pair(first, add_arc(node));
         });
-    for(Index i = 0; i < at.number_of_lower_components(); ++i) {
-      Front_mean& front = front_[contour_arcs_[i].arc].sum;
-      front += contour_arcs_[i].front;
-      front += at.front_above(contour_arcs_[i].arrival);
-    }
-    for(const Contour_arc& contour_arc : contour_arcs_) {
-      graph_.arcs[contour_arc.arc].lower_girth = front_[contour_arc.arc].sum.girth();
-      sample(v, contour_arc.arc);
-    }
+    add_up_fronts(at);
+    for(const Contour_arc& contour_arc : contour_arcs_)
+      if(contour_arc.arc != no_index) {
+        Flat_reeb_graph::Arc& arc = graph_.arcs[contour_arc.arc];
+        if(arc.lower >= number_of_nodes) // it begins here
+          arc.lower_girth = front_[contour_arc.arc].sum.girth();
+        sample(v, contour_arc.arc);
+      }
+  }
+
+  // Those of the arcs above a saddle.
+  void add_up_fronts(const Swept_vertex& at) {
+    for(const Contour_arc& contour_arc : contour_arcs_)
+      if(contour_arc.arc != no_index)
+        front_[contour_arc.arc].sum = {};
+    for(const Contour_arc& contour_arc : contour_arcs_)
+      if(contour_arc.arc != no_index) {
+        Front_mean& front = front_[contour_arc.arc].sum;
+        front += contour_arc.front;
+        if(contour_arc.arrival != no_index)
+          front += at.front_above(contour_arc.arrival);
+      }
   }
 
   void sample(Index v, Index arc) {

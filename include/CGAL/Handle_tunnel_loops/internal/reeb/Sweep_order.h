@@ -20,8 +20,10 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,15 +49,19 @@ std::enable_if_t<std::is_integral<Integer>::value, std::uint64_t> ordering_key(I
 
 /// A total order of the vertices: by their values, and by the caller's indices where these are
 /// equal. So the order does not depend on how the flat mesh numbers its vertices.
+///
+/// Hubs are in it if the surface is swept with its caps. If not, they have the highest ranks, and
+/// the contours end where they come to one.
 class Sweep_order
 {
 public:
-  /// \p key gives an unsigned integer for each vertex.
+  /// \p key gives an unsigned integer for each vertex that is swept.
   template <typename Key>
-  Sweep_order(Execution execution, const Flat_mesh& mesh, const Key& key)
-      : vertices_(mesh.number_of_vertices())
+  Sweep_order(Execution execution, const Flat_mesh& mesh, const Key& key, bool has_caps = true)
+      : vertices_(has_caps ? mesh.number_of_vertices()
+                           : mesh.number_of_vertices() - mesh.number_of_hubs)
       , rank_(mesh.number_of_vertices()) {
-    std::vector<Entry> entries(mesh.number_of_vertices());
+    std::vector<Entry> entries(vertices_.size());
     for_each_index(execution, entries.size(), [&](std::size_t i) {
       const Index v = static_cast<Index>(i);
       entries[i] = {key(v), mesh.original[v], v};
@@ -69,10 +75,16 @@ public:
       vertices_[r] = entries[r].vertex;
       rank_[entries[r].vertex] = static_cast<Index>(r);
     });
+    std::iota(rank_.begin() + static_cast<std::ptrdiff_t>(entries.size()), rank_.end(),
+              static_cast<Index>(entries.size()));
   }
 
-  /// the vertices, from the lowest to the highest.
+  /// the vertices that are swept, from the lowest to the highest.
   const std::vector<Index>& vertices() const { return vertices_; }
+
+  /// whether a vertex is a hub that is not swept: there is a hole in its place.
+  bool is_hole(Index v) const { return rank_[v] >= vertices_.size(); }
+  bool has_holes() const { return vertices_.size() < rank_.size(); }
 
   Index rank(Index v) const { return rank_[v]; }
 
@@ -130,12 +142,15 @@ struct Front_mean
 };
 
 /// the part of a front that crosses the edge to the neighbour at a position in the ring of `v`; the
-/// same from both ends of the edge. The vertices across it tell how far apart its neighbours are.
-inline Front_mean crossing_of_front(const Flat_mesh& mesh, Index v, Ring ring, Index position) {
-  const Vector& before = mesh.points[ring[ring.previous(position)]];
-  const Vector& after = mesh.points[ring[ring.next(position)]];
-  const double weight = norm(after - before);
-  return {(0.5 * weight) * (mesh.points[v] + mesh.points[ring[position]]), weight};
+/// same from both ends of the edge. The vertices across it tell how far apart its neighbours are;
+/// at a boundary, where the front ends, there is one.
+inline Front_mean crossing_of_front(
+    const Flat_mesh& mesh, const Sweep_order& order, Index v, Ring ring, Index position) {
+  const Vector middle = 0.5 * (mesh.points[v] + mesh.points[ring[position]]);
+  const auto across = [&](Index u) { return order.is_hole(u) ? middle : mesh.points[u]; };
+  const double weight =
+      norm(across(ring[ring.next(position)]) - across(ring[ring.previous(position)]));
+  return {weight * middle, weight};
 }
 
 enum class Vertex_kind : Index { MINIMUM, REGULAR, SADDLE, MAXIMUM };
@@ -156,27 +171,42 @@ inline Index slot_of(const Flat_mesh& mesh, Index u, Index v) {
   return mesh.row_begin[u] + position;
 }
 
+/// whether the vertex at a position of a ring belongs to a lower component of it. A hole may count
+/// as either: so that a boundary is no further alternation, it is higher between lower vertices,
+/// and lower between higher ones.
+inline bool is_in_lower_component(const Sweep_order& order, Ring ring, Index position, Index rank) {
+  const auto is_lower = [&](Index p) { return order.rank(ring[p]) < rank; };
+  return order.is_hole(ring[position])
+             ? !is_lower(ring.previous(position)) && !is_lower(ring.next(position))
+             : is_lower(position);
+}
+
 inline Star star_of(const Flat_mesh& mesh, const Sweep_order& order, Index v) {
   const Ring ring = mesh.ring(v);
   const Index rank = order.rank(v);
   Star star = {{}, no_index, Vertex_kind::REGULAR};
-  bool is_previous_lower = order.rank(ring[ring.size() - 1]) < rank;
+  bool is_previous_lower = is_in_lower_component(order, ring, ring.size() - 1, rank);
+  bool is_maximum = true;
   Index number_of_changes = 0;
   for(Index p = 0; p < ring.size(); ++p) {
-    const bool is_lower = order.rank(ring[p]) < rank;
-    if(is_lower) {
-      star.change -= crossing_of_front(mesh, v, ring, p);
-      if(star.below == no_index)
-        star.below = slot_of(mesh, ring[p], v);
-    } else
-      star.change += crossing_of_front(mesh, v, ring, p);
+    const bool is_lower = is_in_lower_component(order, ring, p, rank);
     number_of_changes += is_lower != is_previous_lower;
     is_previous_lower = is_lower;
+    if(order.is_hole(ring[p]))
+      continue;
+    if(is_lower) {
+      star.change -= crossing_of_front(mesh, order, v, ring, p);
+      if(star.below == no_index)
+        star.below = slot_of(mesh, ring[p], v);
+    } else {
+      star.change += crossing_of_front(mesh, order, v, ring, p);
+      is_maximum = false;
+    }
   }
-  star.kind = number_of_changes > 2    ? Vertex_kind::SADDLE
-              : number_of_changes == 2 ? Vertex_kind::REGULAR
-              : star.below == no_index ? Vertex_kind::MINIMUM
-                                       : Vertex_kind::MAXIMUM;
+  star.kind = star.below == no_index  ? Vertex_kind::MINIMUM
+              : is_maximum            ? Vertex_kind::MAXIMUM
+              : number_of_changes > 2 ? Vertex_kind::SADDLE
+                                      : Vertex_kind::REGULAR;
   return star;
 }
 

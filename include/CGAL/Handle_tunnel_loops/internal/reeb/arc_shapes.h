@@ -33,6 +33,7 @@
 #include <optional>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -356,79 +357,120 @@ template <typename Point> double distance_of_points(const Point& p, const Point&
   return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));
 }
 
-/// The contours of arcs, one of each, as they are found face by face.
-class Contours_of_arcs
+/// Contours just below a vertex: they part the vertices before it from the others.
+template <typename Vertices, typename VertexPointMap> class Contour_below
 {
-public:
-  explicit Contours_of_arcs(std::size_t number_of_arcs)
-      : number_of_arcs_(number_of_arcs) {}
+  using Triangle_mesh = typename Vertices::Triangle_mesh;
+  using Vertex = typename Vertices::Vertex;
+  using Halfedge = typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor;
 
-  /// of an arc: across a face from one edge to another.
-  void add(std::size_t arc, const std::array<std::uint64_t, 2>& edges, double length) {
-    std::array<Index, 2> ends;
-    for(std::size_t i : {0, 1})
-      ends[i] = ends_.try_emplace({arc, edges[i]}, static_cast<Index>(ends_.size())).first->second;
-    pieces_.push_back({arc, ends, length});
+public:
+  Contour_below(const Vertices& vertices, VertexPointMap point, Vertex v)
+      : vertices_(vertices)
+      , tm_(vertices.mesh())
+      , point_(point)
+      , v_(v) {}
+
+  bool is_below(Vertex u) const { return vertices_.is_before(u, v_); }
+
+  /// calls `f(h)` for the edges at a vertex that contours cross, with the lower end as the source.
+  template <typename Function> void for_each_crossed_edge_at(Vertex u, const Function& f) const {
+    for(const Halfedge in : CGAL::halfedges_around_target(halfedge(u, tm_), tm_))
+      if(is_below(source(in, tm_)) != is_below(u))
+        f(is_below(u) ? opposite(in, tm_) : in);
   }
 
-  /// by arc, the length of what hangs together, where there are several of them that of the
-  /// longest.
-  std::vector<double> longest() const {
-    Sets_of_indices sets(ends_.size());
-    for(const Piece& piece : pieces_)
-      sets.unite(piece.ends[0], piece.ends[1]);
-    std::vector<double> lengths(ends_.size()), longest(number_of_arcs_);
-    for(const Piece& piece : pieces_)
-      lengths[sets.find(piece.ends[0])] += piece.length;
-    for(const Piece& piece : pieces_)
-      longest[piece.arc] = (std::max)(longest[piece.arc], lengths[sets.find(piece.ends[0])]);
-    return longest;
+  /// goes along the contour that crosses an edge, unless it has been there: returns its length, and
+  /// calls `visit(low, high)` for the ends of all edges that it crosses.
+  template <typename Visit> std::optional<double> follow(Halfedge first, const Visit& visit) {
+    if(!arrive(first, visit))
+      return std::nullopt;
+    double length = 0.;
+    Halfedge h = first;
+    while(!is_border(h, tm_)) { // the face to the left of it is next
+      const bool is_apex_below = is_below(target(next(h, tm_), tm_));
+      const Halfedge to = opposite(is_apex_below ? next(h, tm_) : prev(h, tm_), tm_);
+      length += distance_of_points(place(h), place(to));
+      if(to == first)
+        return length;
+      arrive(to, visit);
+      h = to;
+    }
+    for(h = opposite(first, tm_); !is_border(h, tm_);) { // and backwards from where it began
+      const bool is_apex_below = is_below(target(next(h, tm_), tm_));
+      const Halfedge from = is_apex_below ? prev(h, tm_) : next(h, tm_);
+      length += distance_of_points(place(opposite(h, tm_)), place(from));
+      arrive(from, visit);
+      h = opposite(from, tm_);
+    }
+    return length;
   }
 
 private:
-  struct Piece
-  {
-    std::size_t arc;
-    std::array<Index, 2> ends;
-    double length;
-  };
+  template <typename Visit> bool arrive(Halfedge h, const Visit& visit) {
+    const Vertex low = source(h, tm_), high = target(h, tm_);
+    if(!seen_.insert(vertices_.edge(low, high)).second)
+      return false;
+    visit(low, high);
+    return true;
+  }
 
-  std::size_t number_of_arcs_;
-  std::map<std::pair<std::size_t, std::uint64_t>, Index> ends_; // numbers of places
-  std::vector<Piece> pieces_;
+  auto place(Halfedge h) const {
+    const Vertex v = source(h, tm_), w = target(h, tm_);
+    const double low = vertices_.value(v), high = vertices_.value(w);
+    const double ratio = low < high ? (vertices_.value(v_) - low) / (high - low) : 0.;
+    return get(point_, v) + ratio * (get(point_, w) - get(point_, v));
+  }
+
+  const Vertices& vertices_;
+  const Triangle_mesh& tm_;
+  VertexPointMap point_;
+  Vertex v_;
+  std::unordered_set<std::uint64_t> seen_; // edges
 };
 
-/// by arc, how long its contour is half way. See `CGAL::reeb_arc_girths()`.
+/// how long the contour of an arc is half way. See `CGAL::reeb_arc_girths()`.
+template <typename Vertices, typename Arc, typename VertexPointMap>
+double girth_of_arc(const Vertices& vertices,
+                    const Arc& arc,
+                    typename Vertices::Vertex lower,
+                    typename Vertices::Vertex upper,
+                    VertexPointMap point) {
+  using Vertex = typename Vertices::Vertex;
+  const Vertex middle = arc.vertices.empty() ? upper : arc.vertices[arc.vertices.size() / 2];
+  Contour_below<Vertices, VertexPointMap> contours(vertices, point, middle);
+  std::pair<std::size_t, double> best; // edges of the arc, length
+  const auto follow = [&](const auto h, const auto& counts) {
+    std::size_t count = 0;
+    const auto length =
+        contours.follow(h, [&](Vertex low, Vertex high) { count += counts(low, high) ? 1 : 0; });
+    if(length)
+      best = (std::max)(best, std::make_pair(count, *length));
+  };
+  const auto is_on_arc = [&](Vertex low, Vertex high) {
+    return vertices.arc(low) == arc.index && vertices.arc(high) == arc.index;
+  };
+  for(const Vertex u : arc.vertices)
+    if(contours.is_below(u))
+      contours.for_each_crossed_edge_at(u, [&](const auto h) {
+        if(vertices.arc(target(h, vertices.mesh())) == arc.index)
+          follow(h, is_on_arc);
+      });
+  if(best.first == 0) // it has hardly any vertices: it leads from its lower node to the middle
+    contours.for_each_crossed_edge_at(
+        middle, [&](const auto h) { follow(h, [&](Vertex low, Vertex) { return low == lower; }); });
+  return best.second;
+}
+
+/// by arc. See `CGAL::reeb_arc_girths()`.
 template <typename Vertices, typename Graph, typename VertexPointMap>
 std::vector<double>
 girths_of_arcs(const Vertices& vertices, const Graph& graph, VertexPointMap point) {
-  using Vertex = typename Vertices::Vertex;
-  std::vector<double> levels(num_edges(graph));
-  for(const auto e : CGAL::make_range(edges(graph))) {
-    const auto& arc = graph[e];
-    if(!arc.vertices.empty())
-      levels[arc.index] = vertices.value(arc.vertices[arc.vertices.size() / 2]);
-  }
-  const auto at = [&](Vertex v, Vertex w, double level) {
-    const double low = vertices.value(v), high = vertices.value(w);
-    const double ratio = low < high ? (level - low) / (high - low) : 0.;
-    return get(point, v) + ratio * (get(point, w) - get(point, v));
-  };
-  Face_arcs<Vertices, Graph> arcs(vertices, graph);
-  Contours_of_arcs contours(levels.size());
-  for(const auto f : faces(vertices.mesh())) {
-    const auto v = arcs.corners_of(f);
-    for(const Face_part& part : arcs.parts_of(v)) {
-      const double level = levels[part.arc];
-      if(!(part.low < level && level <= part.high))
-        continue;
-      const bool is_above = vertices.value(v[1]) < level;
-      const auto [low, high] = is_above ? std::pair(v[1], v[2]) : std::pair(v[0], v[1]);
-      contours.add(part.arc, {vertices.edge(v[0], v[2]), vertices.edge(low, high)},
-                   distance_of_points(at(v[0], v[2], level), at(low, high, level)));
-    }
-  }
-  return contours.longest();
+  std::vector<double> girths(num_edges(graph));
+  for(const auto e : CGAL::make_range(edges(graph)))
+    girths[graph[e].index] = girth_of_arc(vertices, graph[e], graph[source(e, graph)].vertex,
+                                          graph[target(e, graph)].vertex, point);
+  return girths;
 }
 
 // Vertices and points of a polyline follow each other by the same values, so that the nearest one

@@ -72,12 +72,15 @@ inline std::vector<Contour_place> contour_places(const Flat_mesh& mesh,
   };
   const Swept_vertex at(mesh, order, v);
   for(Index i = 0; i < at.number_of_lower_components(); ++i) {
+    if(at.is_hole(i))
+      continue;
     Contour_walk walk(mesh, order, order.rank(v), at.first_of(i), v);
     const Index begin = walk.slot();
     do {
       if(steps == largest_number_of_steps)
         return {};
-      if(steps % stride == 0) {
+      const bool is_at_hole = order.is_hole(mesh.ring(walk.left())[walk.position()]);
+      if(steps % stride == 0 && !is_at_hole) { // it goes on beyond the hole
         if(places.size() == largest_number)
           thin_out();
         places.push_back(contour_place(mesh, walk));

@@ -27,13 +27,15 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// a third of the faces at a vertex.
-inline double area_around(const Flat_mesh& mesh, Index v) {
+/// a third of the faces at a vertex, with or without those of caps.
+inline double area_around(const Flat_mesh& mesh, Index v, bool has_caps = true) {
   const Ring ring = mesh.ring(v);
   double sum = 0.;
-  for(Index p = 0; p < ring.size(); ++p)
-    sum += norm(cross(mesh.points[ring[p]] - mesh.points[v],
-                      mesh.points[ring[ring.next(p)]] - mesh.points[v]));
+  for(Index p = 0; p < ring.size(); ++p) {
+    const Index a = ring[p], b = ring[ring.next(p)];
+    if(has_caps || !mesh.is_spoke(a, b))
+      sum += norm(cross(mesh.points[a] - mesh.points[v], mesh.points[b] - mesh.points[v]));
+  }
   return sum / 6.;
 }
 
