@@ -79,26 +79,37 @@ py::array_t<std::int64_t> arcs_of_vertices(const Reeb_answer& answer) {
   return array_of(arcs);
 }
 
+template <typename Number>
+void take(const py::array_t<Number, py::array::c_style>& array, std::vector<Number>& numbers) {
+  numbers.assign(array.data(), array.data() + array.size());
+}
+
 py::dict reeb(const py::array& points,
               const py::array& triangles,
-              const std::optional<py::array_t<double, py::array::c_style>>& values,
+              const std::optional<py::array>& values,
               const std::optional<double>& simplify,
               const std::optional<std::string>& measure,
               double shortest_arc,
+              bool is_capped,
               bool is_drawn_inside,
               const std::vector<py::ssize_t>& sources,
               int threads,
               Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   htloops::Reeb_options options;
-  if(values)
-    options.values.assign(values->data(), values->data() + values->size());
+  if(values) {
+    if(values->dtype().kind() == 'i')
+      take(py::array_t<std::int64_t, py::array::c_style>(*values), options.integers);
+    else
+      take(py::array_t<double, py::array::c_style>(*values), options.values);
+  }
   if(simplify)
     options.threshold = *simplify;
   if(measure)
     options.measure = htloops::reeb_measures().at(*measure);
   options.shortest_arc = shortest_arc;
   options.allow_parallel_arcs = shortest_arc > 0.;
+  options.capped = is_capped;
   options.do_draw_inside = is_drawn_inside;
   options.sources = vertices_of(mesh, sources);
   Reeb_answer answer;

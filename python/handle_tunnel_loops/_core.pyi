@@ -95,6 +95,7 @@ def reeb(
     simplify: Optional[float],
     measure: Optional[str],
     shortest_arc: float,
+    is_capped: bool,
     is_drawn_inside: bool,
     sources: Sequence[int],
     threads: int,

@@ -20,8 +20,9 @@ Drawing = Literal["means", "inside"]
 class ReebGraph(Comparable):
     """The Reeb graph of a function on a mesh: each component of a contour becomes a point.
 
-    Nodes are critical points, and arcs are the parts between them. For a closed surface, the graph has one
-    independent cycle for each handle.
+    Nodes are critical points, and arcs are the parts between them. For a closed surface, or with
+    ``capped=True``, the graph has one independent cycle for each handle. For a connected surface of genus g
+    with b boundary curves, it has g to 2 g + b - 1.
     """
 
     def __init__(self, record: Dict[str, Any]):
@@ -34,7 +35,7 @@ class ReebGraph(Comparable):
         self.node_types: List[str] = nodes["types"]  #: "minimum", "saddle", "maximum" or "regular"
         self.arcs: np.ndarray = arcs["ends"]  #: (m, 2): the nodes at the lower and the upper end
         self.lengths: np.ndarray = arcs["lengths"]  #: (m,): of the polylines
-        self.girths: np.ndarray = arcs["girths"]  #: (m,): the length of the contour in the middle of the arc
+        self.girths: np.ndarray = arcs["girths"]  #: (m,): the length of the contour just below the middle vertex
         self.numbers_of_vertices: np.ndarray = arcs["numbers_of_vertices"]  #: (m,): of the mesh
         self.is_on_cycle: np.ndarray = arcs["is_on_cycle"].astype(bool)  #: (m,)
         self.arc_of_vertex: np.ndarray = record["arc_of_vertex"]  #: by vertex; -1 without a face
@@ -146,6 +147,7 @@ def reeb(
     measure: Optional[Measure] = None,
     *,
     shortest_arc: float = 0.0,
+    capped: bool = False,
     drawing: Drawing = "means",
     sources: Sequence[int] = (),
     threads: Optional[int] = 0,
@@ -156,14 +158,15 @@ def reeb(
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    f : (n,): the function, a number for each vertex. By default the arrival times of a front that starts at
-        one vertex; the graph is then similar to a skeleton
+    f : (n,): the function, a number for each vertex; integers are compared exactly. By default the arrival
+        times of a front that starts at one vertex; the graph is then similar to a skeleton
     simplify : remove leaves up to this fraction of the whole, by ``measure``; default 0.03
     measure : "limbs" (the default without f), "persistence" (the default with f), "length", "area" or
         "vertices"
     shortest_arc : contract arcs between saddles that are shorter than this many times their radius, but
         never a cycle. With 2, an arc is at least as long as thick, and arcs are distinct parts of the
         surface with short borders. Arcs may then be parallel, or lead from a node to itself
+    capped : close each boundary curve by a cap first. By default contours end at the boundary
     drawing : "means": along the means of contours; "inside": in the middle of the solid, which takes much
         longer
     sources : the vertices at which the front starts; chosen by default
@@ -177,7 +180,11 @@ def reeb(
     if f is not None:
         if starts:
             raise ValueError("sources and f cannot be given together: f replaces the front that starts at sources")
-        f = np.ascontiguousarray(numbers("f", f), dtype=float)
+        f = numbers("f", f)
+        is_integer = f.dtype.kind in "iu"
+        if f.dtype.kind == "u" and f.size > 0 and f.max() > np.iinfo(np.int64).max:
+            raise ValueError("f has integers of 2**63 or more")
+        f = np.ascontiguousarray(f, dtype=np.int64 if is_integer else float)
         if f.shape != (len(points),):
             raise ValueError(f"f must be an array of {len(points)} numbers, one for each vertex")
     return ReebGraph(
@@ -191,6 +198,7 @@ def reeb(
             real_or_none("simplify", simplify),
             None if measure is None else word("measure", measure, get_args(Measure)),
             shortest,
+            bool(capped),
             word("drawing", drawing, get_args(Drawing)) == "inside",
             starts,
             threads_of(threads),

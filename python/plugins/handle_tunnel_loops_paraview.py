@@ -462,7 +462,7 @@ class SurfaceReebGraph(SurfaceFilter):
         array = surface.data.GetPointData().GetArray(name)
         if array is None or array.GetNumberOfComponents() != 1:
             raise ValueError(f"the points of the input have no array {name} with one component")
-        return vtk_to_numpy(array)[surface.vertex_origin].astype(float)
+        return vtk_to_numpy(array)[surface.vertex_origin]
 
 
 @filter_of_surfaces(

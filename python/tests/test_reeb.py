@@ -115,6 +115,33 @@ def test_a_sphere_is_a_line(tmp_path):
     assert cycles == [] and len(rows) == len(G.polylines[0])
 
 
+def test_integers_are_compared_exactly(torus):
+    V, F = torus
+    order = np.argsort(V @ [0.3, 0.2, 0.93], kind="stable")
+    f = np.empty(len(V), dtype=np.int64)
+    f[order] = 2**60 + np.arange(len(V))  # as floats, all of them are equal
+    small = f - 2**60
+    for exact in (f, f.astype(np.uint64)):
+        G, expected = htl.reeb(V, F, exact, simplify=0), htl.reeb(V, F, small, simplify=0)
+        assert np.array_equal(G.arcs, expected.arcs)
+        assert np.array_equal(G.arc_of_vertex, expected.arc_of_vertex)
+    assert len(htl.reeb(V, F, f.astype(float), simplify=0).arcs) > len(expected.arcs)
+    with pytest.raises(ValueError, match=r"2\*\*63"):
+        htl.reeb(V, F, np.full(len(V), 2**63, dtype=np.uint64))
+
+
+def test_contours_end_at_a_boundary():
+    n = 24
+    angle = 2 * np.pi * (np.arange(n) + 0.3) / n
+    ring = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+    i, j = np.arange(n), (np.arange(n) + 1) % n
+    V = np.concatenate([ring, 2 * ring])
+    F = np.concatenate([np.stack([i, n + i, n + j], -1), np.stack([i, n + j, j], -1)])
+    G, capped = htl.reeb(V, F, V[:, 1], simplify=0), htl.reeb(V, F, V[:, 1], simplify=0, capped=True)
+    assert (len(G.positions), len(G.arcs), G.number_of_cycles) == (4, 4, 1)
+    assert (len(capped.positions), len(capped.arcs), capped.number_of_cycles) == (2, 1, 0)
+
+
 def test_vertices_without_faces_are_on_no_arc(torus):
     V, F = torus
     G = htl.reeb(np.vstack([V, [[9, 9, 9]]]), F)

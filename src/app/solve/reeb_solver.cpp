@@ -31,22 +31,28 @@ const std::map<std::string, CGAL::Reeb_measure>& reeb_measures() {
 
 Reeb_answer find_reeb_graph(const Mesh& mesh, const Reeb_options& options, Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
-  const bool has_values = !options.values.empty();
+  const bool has_values = !options.values.empty() || !options.integers.empty();
   progress.start("reeb");
 
   Reeb_answer answer;
   answer.function = has_values ? "given" : "diffusion";
   answer.is_contracted = options.shortest_arc > 0.;
+  answer.is_capped = options.capped;
   answer.number_of_threads = limit.number_of_threads();
   answer.vertex_arc.assign(mesh.number_of_vertices(), Reeb_answer::no_arc);
   answer.values.assign(mesh.number_of_vertices(), 0.);
   const Stopwatch stopwatch;
-  if(has_values) {
+  const auto find_graph_of = [&](const auto& function) {
     answer.statistics = CGAL::reeb_graph_of_function<All_threads_tag>(
-        mesh, map_of_vertices(mesh, options.values), answer.graph,
+        mesh, map_of_vertices(mesh, function), answer.graph,
         reeb_parameters(mesh, options, progress, answer));
     answer.backend = "host";
-  } else
+  };
+  if(!options.integers.empty())
+    find_graph_of(options.integers);
+  else if(!options.values.empty())
+    find_graph_of(options.values);
+  else
     choose_backend(options.backend).diffuse(mesh, options, progress, answer);
   if(options.do_draw_inside) {
     progress.start("drawing");

@@ -19,6 +19,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -38,6 +39,7 @@ struct Reeb_answer
   std::vector<double> values;          ///< by vertex, of the function
   std::string function;                ///< of which it is the graph, in a word
   bool is_contracted = false;          ///< whether arcs are parts with short borders
+  bool is_capped = false;              ///< whether it is that of the surface with its caps
   std::string backend;                 ///< what computed the fields of the diffusion, else "host"
   CGAL::Handle_tunnel_loops::Reeb_statistics statistics;
   /// what is known of the lines, if they have been drawn inside.
@@ -69,6 +71,7 @@ struct Reeb_options : CGAL::Handle_tunnel_loops::Reeb_options
 {
   std::vector<Mesh::Vertex_index> sources; ///< of the diffusion; none: as the library chooses
   std::vector<double> values;              ///< by vertex, a function; none: a diffusion
+  std::vector<std::int64_t> integers;      ///< the same; they are compared exactly
   bool do_draw_inside = false;  ///< in the middle of the solid, or along the means of contours
   std::string backend = "auto"; ///< of the diffusion, see `choose_backend()`
   int number_of_threads = 0;    ///< 0: as many as the machine has

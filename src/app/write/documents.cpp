@@ -536,6 +536,7 @@ void write_reeb_json(const std::string& target,
   out.member("format", "htloops-reeb/1");
   out.member("mesh", json_of_mesh(mesh, answer.statistics));
   out.member("function", answer.function);
+  out.member("capped", answer.is_capped);
   out.member("backend", answer.backend);
   out.member("threads", answer.number_of_threads);
   out.member("timings", timings(answer, read_seconds));

@@ -46,6 +46,7 @@ struct Reeb_command_options : Common_options
   std::string measure;
   std::optional<double> threshold;
   std::optional<double> shortest_arc;
+  bool is_capped = false;
   std::string backend = "auto";
 };
 
@@ -114,6 +115,7 @@ Reeb_answer solve(const Mended_mesh& mended, const Reeb_command_options& options
   reeb.threshold = options.threshold.value_or(reeb.threshold);
   reeb.shortest_arc = shortest_arc_of(options);
   reeb.allow_parallel_arcs = reeb.shortest_arc > 0.;
+  reeb.capped = options.is_capped;
   reeb.do_draw_inside = is_drawn_inside(options);
   reeb.backend = options.backend;
   reeb.number_of_threads = options.number_of_threads;
@@ -173,8 +175,13 @@ std::string words_of_graph(const Reeb_answer& answer, double read_seconds) {
   for(const auto v : CGAL::make_range(vertices(answer.graph)))
     ++count[answer.graph[v].type];
   const auto& statistics = answer.statistics;
+  const std::string boundaries =
+      statistics.number_of_boundaries == 0
+          ? ""
+          : ", " + counted(statistics.number_of_boundaries, "boundary curve", "boundary curves") +
+                (answer.is_capped ? ", capped" : "");
   return "genus " + std::to_string(statistics.genus) + " in " +
-         counted(statistics.number_of_components, "component", "components") + ": " +
+         counted(statistics.number_of_components, "component", "components") + boundaries + ": " +
          counted(num_edges(answer.graph), "arc", "arcs") + ", " +
          counted(number_of_cycles(answer), "cycle", "cycles") + ", " +
          counted(count[CGAL::Reeb_node_type::MINIMUM], "minimum", "minima") + ", " +
@@ -260,6 +267,8 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
                   "never cycles; default: 2 with --parts (as long as thick), otherwise 0")
       ->option_text("K")
       ->check(why_negative);
+  command.add_flag("--capped", options.is_capped,
+                   "close boundary curves by caps first; otherwise contours end at the boundary");
   add_choice(command, "--drawing", "NAME", options.drawing,
              "inside (in the middle of the solid) or means (through the centers of contours:\n"
              "faster); default: inside if lines, a picture, a page or glTF are written",
@@ -270,8 +279,10 @@ void add_computation_options(CLI::App& command, Reeb_command_options& options) {
 constexpr char reeb_description[] = R"(Computes the Reeb graph of a triangle mesh.
 
 Its arcs are the parts of the surface that a front sweeps as one piece: the limbs of an animal,
-the bars of a frame. A connected surface of genus g has a graph with g independent cycles. The
-girth of an arc, in the table, is the length of the contour halfway along it.
+the bars of a frame. A closed connected surface of genus g has a graph with g independent cycles.
+On a surface with b boundary curves, contours end at the boundary, and there may be up to
+2g + b - 1 cycles; with --capped there are g. The girth of an arc, in the table, is the length of
+its contour just below its middle vertex.
 )";
 
 constexpr char reeb_examples[] = R"(Examples:

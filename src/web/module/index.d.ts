@@ -133,6 +133,8 @@ export interface ReebOptions extends Computing, Remedies {
   seed?: number[];
   simplify?: number;
   shortestArc?: number;
+  /** Close boundary curves by caps first; otherwise contours end at the boundary. */
+  capped?: boolean;
   drawing?: 'inside' | 'means';
 }
 
