@@ -29,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -354,6 +355,109 @@ TEST(Boundary_loops, ShrinkInTheirClass) {
         EXPECT_NEAR(waists[0].length(), waists[1].length(), 1e-12 * waists[0].length());
       }
     }
+}
+
+// Decides which chains of edges bound, by the definition: integer elimination in the boundary
+// matrix of the faces. Its minors are 0, 1 and -1, as the surface is oriented, and so are all
+// entries.
+class Bounding_chains
+{
+public:
+  explicit Bounding_chains(const Mesh& mesh)
+      : mesh_(mesh) {
+    for(const Mesh::Face_index f : faces(mesh)) {
+      Chain chain;
+      for(const Mesh::Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+        add(h, 1, chain);
+      reduce(chain);
+      if(!chain.empty())
+        columns_.emplace(chain.begin()->first, chain);
+    }
+  }
+
+  bool are_homologous(const Edge_walk<Mesh>& a, const Edge_walk<Mesh>& b) const {
+    Chain chain;
+    for(const Mesh::Halfedge_index h : a)
+      add(h, 1, chain);
+    for(const Mesh::Halfedge_index h : b)
+      add(h, -1, chain);
+    reduce(chain);
+    return chain.empty();
+  }
+
+private:
+  using Chain = std::map<Mesh::Edge_index, std::int64_t>;
+
+  static void add(Mesh::Edge_index e, std::int64_t times, Chain& chain) {
+    if((chain[e] += times) == 0)
+      chain.erase(e);
+  }
+
+  void add(Mesh::Halfedge_index h, std::int64_t times, Chain& chain) const {
+    add(mesh_.edge(h), mesh_.source(h) < mesh_.target(h) ? times : -times, chain);
+  }
+
+  // By columns with other first edges, from the first edge on.
+  void reduce(Chain& chain) const {
+    for(const auto& [e, column] : columns_)
+      if(const auto found = chain.find(e); found != chain.end()) {
+        const std::int64_t times = found->second * column.begin()->second;
+        for(const auto& [other, value] : column)
+          add(other, -times * value, chain);
+      }
+  }
+
+  const Mesh& mesh_;
+  std::map<Mesh::Edge_index, Chain> columns_; // by first edge
+};
+
+// A coarse tube around the z axis with holes of one face each: many loops run along some of them.
+Mesh tube_with_small_holes(Random& random) {
+  const std::size_t around = 4 + random.below(6), along = 4 + random.below(8);
+  const double phase = random.uniform(0., 6.), height = random.uniform(1., 4.);
+  Soup soup;
+  for(std::size_t i = 0; i <= along; ++i)
+    for(std::size_t j = 0; j < around; ++j) {
+      const double z = height * double(i) / double(along), r = 1. + 0.5 * std::cos(phase + 3. * z),
+                   a = 2. * CGAL_PI * (double(j) + random.uniform(0., 0.3)) / double(around);
+      soup.points.push_back({r * std::cos(a), r * std::sin(a), z});
+    }
+  for(std::size_t i = 0; i < along; ++i)
+    for(std::size_t j = 0; j < around; ++j) {
+      const unsigned v = static_cast<unsigned>(i * around + j),
+                     w = static_cast<unsigned>(i * around + (j + 1) % around),
+                     n = static_cast<unsigned>(around);
+      soup.triangles.push_back({v, w, v + n});
+      soup.triangles.push_back({w, w + n, v + n});
+    }
+  Mesh mesh = mesh_of(soup);
+  for(int i = 0; i < 4; ++i) {
+    const Mesh::Face_index f(static_cast<std::uint32_t>(random.below(soup.triangles.size())));
+    if(mesh.is_removed(f))
+      continue;
+    const auto corners = CGAL::vertices_around_face(mesh.halfedge(f), mesh);
+    if(std::none_of(corners.begin(), corners.end(),
+                    [&](Mesh::Vertex_index v) { return mesh.is_border(v); }))
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  }
+  mesh.collect_garbage();
+  return mesh;
+}
+
+TEST(Boundary_loops, ShrinkInTheirClassBesideHoles) {
+  Random random(15);
+  for(int i = 0; i < number_of_cases(1000); ++i) {
+    SCOPED_TRACE(i);
+    const Mesh mesh = tube_with_small_holes(random);
+    const Bounding_chains chains(mesh);
+    std::vector<CGAL::Loop_on_surface<Mesh>> curves;
+    CGAL::boundary_loops(mesh, std::back_inserter(curves));
+    for(const auto& waist : waists_of(mesh)) {
+      const auto& curve = curves[waist.pair_index()];
+      EXPECT_LE(waist.length(), (1. + 1e-12) * curve.length());
+      EXPECT_TRUE(chains.are_homologous(walk_beside(mesh, waist), walk_beside(mesh, curve)));
+    }
+  }
 }
 
 // Where the shortest chain is several loops, as on trousers, too.
