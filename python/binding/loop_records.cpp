@@ -9,7 +9,6 @@
 
 #include "loop_records.h"
 
-#include "app/read/loops_reader.h"
 #include "app/solve/boundaries.h"
 #include "app/write/pair_listing.h"
 #include "app/write/tables.h"
@@ -77,8 +76,6 @@ std::vector<htloops::Loop_record> loop_records(const py::dict& record) {
              lengths = py::cast<py::array_t<double>>(record["lengths"]);
   const auto edges = py::cast<py::array_t<std::int64_t>>(record["edges"]),
              starts = py::cast<py::array_t<std::int64_t>>(record["starts"]);
-  if(lengths.size() % 2 != 0)
-    throw py::index_error();
   std::vector<htloops::Loop_record> loops(static_cast<std::size_t>(lengths.size()));
   for(std::size_t l = 0; l < loops.size(); ++l) {
     loops[l].length = lengths.at(l);
@@ -200,21 +197,38 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
                   "waists"_a = waists, "bores"_a = record_of_bores(answer.bores), **record);
 }
 
-htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {
+htloops::Bound_loops loops_of(const py::dict& record, const Mesh& mesh) {
   htloops::Loops_record all;
   all.number_of_vertices = py::cast<std::size_t>(record["number_of_vertices"]);
   all.number_of_faces = py::cast<std::size_t>(record["number_of_faces"]);
+  all.has_boundaries = true;
   try {
     std::vector<htloops::Loop_record> loops = loop_records(record);
+    if(loops.size() % 2 != 0)
+      throw py::index_error();
     for(std::size_t i = 0; i < loops.size(); i += 2)
       all.pairs.push_back({std::move(loops[i]), std::move(loops[i + 1])});
+    for(htloops::Loop_record& curve : loop_records(record["boundaries"]))
+      all.boundaries.push_back({std::move(curve), std::nullopt});
+    const py::dict waists = record["waists"];
+    const auto numbers = py::cast<std::vector<std::size_t>>(waists["numbers"]);
+    std::vector<htloops::Loop_record> of_curves = loop_records(waists);
+    for(std::size_t i = 0; i < of_curves.size(); ++i) {
+      if(i >= numbers.size() || numbers[i] >= all.boundaries.size())
+        throw py::index_error();
+      all.boundaries[numbers[i]].waist = std::move(of_curves[i]);
+    }
   } catch(const py::index_error&) {
     throw std::invalid_argument("the arrays of the loops are inconsistent");
   }
   htloops::Bound_loops bound = htloops::bind_loops(all, mesh);
   if(!bound.problems.empty())
     throw std::invalid_argument("the loops are not on this mesh:" + in_words(bound.problems));
-  return std::move(bound.pairs);
+  return bound;
+}
+
+htloops::Pairs pairs_of(const py::dict& record, const Mesh& mesh) {
+  return loops_of(record, mesh).pairs;
 }
 
 } // namespace htl_python

@@ -14,6 +14,7 @@
 
 #include "arrays.h"
 
+#include "app/read/loops_reader.h"
 #include "app/solve/answer.h"
 
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
@@ -34,6 +35,10 @@ py::dict record_of(const htloops::Mesh& mesh, const htloops::Answer& answer);
 
 /// what a certificate says, and the sides of the loops.
 py::dict certificate_of(const CGAL::Handle_tunnel_loops::Certificate& certificate);
+
+/// the loops of a record on a mesh, with the boundary curves and their waists. Throws
+/// `std::invalid_argument` if they are not on it.
+htloops::Bound_loops loops_of(const py::dict& record, const htloops::Mesh& mesh);
 
 /// the pairs of a record on a mesh. Throws `std::invalid_argument` if they are not on it.
 htloops::Pairs pairs_of(const py::dict& record, const htloops::Mesh& mesh);

@@ -54,15 +54,24 @@ py::dict find_loops(const py::array& points,
                    }));
 }
 
+// The certificate of the pairs, and what is wrong with the boundary curves and the waists.
 py::dict certify(const py::array& points,
                  const py::array& triangles,
-                 const py::dict& loops,
+                 const py::dict& record,
                  const Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
-  const htloops::Pairs pairs = pairs_of(loops, mesh);
-  const auto kind = basis_kind(py::cast<std::string>(loops["basis"]));
-  return certificate_of(
-      compute(0, watch, [&] { return htloops::certify(mesh, pairs, kind, true); }));
+  const htloops::Bound_loops loops = loops_of(record, mesh);
+  const auto kind = basis_kind(py::cast<std::string>(record["basis"]));
+  std::vector<std::string> problems;
+  htloops::Certificate certificate = compute(0, watch, [&] {
+    problems = htloops::problems_of_boundaries(mesh, loops.curves, loops.waists);
+    return htloops::certify(mesh, loops.pairs, kind, true);
+  });
+  for(const std::string& problem : problems)
+    certificate.failure += (certificate.failure.empty() ? "" : "\n") + problem;
+  py::dict said = certificate_of(certificate);
+  said["certified"] = bool(certificate) && problems.empty();
+  return said;
 }
 
 using Cost = htloops::Costs::value_type;

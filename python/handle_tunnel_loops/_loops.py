@@ -267,6 +267,8 @@ def record_of(L: Any, name: str = "L") -> Dict[str, Any]:
 def certify(V: Any, F: Any = None, L: Optional[Loops] = None) -> Certificate:
     """Certifies loops on a mesh, from the loops and the mesh alone. Earlier certificates are not used.
 
+    The boundary curves must be those of the mesh, and each waist homologous to its curve.
+
     ``certify(mesh, L)`` takes one mesh object.
     """
     if isinstance(F, Loops):

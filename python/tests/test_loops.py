@@ -189,6 +189,16 @@ def test_boundary(plate):
     assert htl.loops(V, F).waists == []
 
 
+def test_waists_are_certified(plate):
+    V, F = plate
+    L = htl.loops(V, F, waists=True)
+    assert htl.certify(V, F, L)
+    L._record["waists"]["numbers"] = L._record["waists"]["numbers"][::-1]
+    certificate = htl.certify(V, F, L)
+    assert not certificate and certificate.basis
+    assert "is not homologous to the curve" in certificate.failure
+
+
 def test_the_only_boundary_curve_has_no_waist():
     V = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
     L = htl.loops(V, np.array([[0, 1, 2]]), waists=True)
