@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
@@ -113,6 +114,43 @@ TEST(Dual_cuts, LeadFromBoundaryToBoundary) {
       const Mesh mesh = mesh_of(generators::with_holes(soup_of(recipe), holes));
       expect_dual(mesh, find_loops(mesh));
     }
+}
+
+// What is not dual is refuted, whatever it is.
+TEST(Dual_cuts, AreCertified) {
+  Random random(2);
+  const Mesh mesh =
+      mesh_of(generators::with_holes(soup_of({"multi-torus", {2000, 2, 0}}), {3, 20}));
+  const Pairs pairs = find_loops(mesh);
+  const std::vector<Cut> cuts = cuts_of(mesh, pairs);
+  const auto index = get(boost::vertex_index, mesh);
+  using Check = CGAL::Handle_tunnel_loops::internal::Dual_cut_check<Mesh, decltype(index)>;
+  std::vector<Check::Walk> loops;
+  for(const auto& walk : basis_of(mesh, pairs)) {
+    loops.emplace_back();
+    for(const Halfedge h : walk)
+      loops.back().push_back(mesh.source(h));
+  }
+  EXPECT_EQ(Check(mesh, index, cuts).failure(loops), "");
+  const auto expect_refuted = [&](const std::vector<Cut>& wrong) {
+    EXPECT_NE(Check(mesh, index, wrong).failure(loops), "");
+  };
+  for(std::size_t i = 0; i < cuts.size(); ++i) {
+    std::vector<Cut> wrong = cuts;
+    wrong[i].erase(wrong[i].begin() + random.below(wrong[i].size()));
+    expect_refuted(wrong);
+    wrong = cuts;
+    std::swap(wrong[i], wrong[(i + 1) % wrong.size()]);
+    expect_refuted(wrong);
+    wrong = cuts;
+    for(auto& edge : wrong[i])
+      edge.first = mesh.opposite(edge.first);
+    expect_refuted(wrong);
+    wrong = cuts;
+    wrong[i].insert(wrong[i].end(), cuts[(i + 1) % cuts.size()].begin(),
+                    cuts[(i + 1) % cuts.size()].end());
+    expect_refuted(wrong);
+  }
 }
 
 TEST(Dual_cuts, AskForABasis) {
