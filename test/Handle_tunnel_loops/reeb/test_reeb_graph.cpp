@@ -621,7 +621,7 @@ void expect_girths(const Soup& soup, Function function) {
 
 TEST(Reeb_arc_girths, AreThoseOfContoursCutFromTheMesh) {
   Random random(8);
-  const auto heights = [](const Soup& soup, double noise, Random& random) {
+  const auto heights = [&random](const Soup& soup, double noise) {
     Function function;
     for(const auto& p : soup.points)
       function.push_back(.3 * p[0] + .2 * p[1] + .93 * p[2] + random.uniform(0., noise));
@@ -631,9 +631,9 @@ TEST(Reeb_arc_girths, AreThoseOfContoursCutFromTheMesh) {
                               Recipe{"lattice", {1200, 5, 0}}, Recipe{"random", {300, 2, 1}}})
     for(const double noise : {1e-9, 0.02}) {
       SCOPED_TRACE(testing::Message() << recipe << ", noise " << noise);
-      expect_girths(soup_of(recipe), heights(soup_of(recipe), noise, random));
+      expect_girths(soup_of(recipe), heights(soup_of(recipe), noise));
       const Soup open = soup_with_holes(recipe, random);
-      expect_girths(open, heights(open, noise, random));
+      expect_girths(open, heights(open, noise));
     }
 }
 
