@@ -111,7 +111,8 @@ The graph of a closed or capped surface has as many independent cycles as the ge
 embedded so that these cycles are a basis of H1 of the solid, as for `curve_skeleton()`; call
 `certify_curve_skeleton()` to certify it. Caps close the solid inside a surface with boundary. If
 its graph was not computed with caps (`Reeb_options::capped`), it may have more cycles, and then
-this certificate fails.
+this certificate fails. It also fails for solids with cavities, where each surface has a graph of
+its own.
 If the contours bound inside, the polylines have this property by construction. If the contours
 bound outside, as around the hole of a flat ring, all arcs between two nodes lie in the same place
 and do not determine a hole; one of these arcs is then routed along the cheapest path around a hole

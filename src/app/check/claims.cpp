@@ -21,6 +21,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
@@ -96,8 +97,8 @@ public:
     Entries differences = computed;
     for(const Json& entry : given) {
       if(!entry.is_array() || entry.size() != 3 ||
-         !std::all_of(entry.begin(), entry.end(), [](auto& x) { return x.is_number_integer(); }))
-        return "linking has an entry that is not three integers";
+         !std::all_of(entry.begin(), entry.end(), is_small_integer))
+        return "linking has an entry that is not three small integers";
       differences[{entry[0].get<long long>(), entry[1].get<long long>()}] -=
           entry[2].get<long long>();
     }
@@ -122,6 +123,10 @@ public:
 private:
   using Entries = std::map<std::pair<long long, long long>, long long>;
 
+  static bool is_small_integer(const Json& x) {
+    return x.is_number_integer() && std::abs(x.get<double>()) < 0x1p31;
+  }
+
   // Numbers of loops of which nothing is known mean nothing.
   bool means_something(long long i) const {
     return i < 0 || i >= static_cast<long long>(linking_.size()) ||
@@ -130,6 +135,11 @@ private:
 
   const std::vector<Loop_linking>& linking_;
 };
+
+// What can be computed from a basis only.
+constexpr std::array<const char*, 10> details = {
+    "bore", "thickness",       "clear_width", "not_measured_because", "cut", "no_cut_because",
+    "fill", "no_fill_because", "diameter",    "diameter_of"};
 
 bool has_any(const Json& document, std::initializer_list<const char*> names) {
   const Json& pairs = document["pairs"];
@@ -164,12 +174,7 @@ public:
   }
 
   Json document() const {
-    Json document = loops_document(mended_.mesh, answer_, {"", options(), 0., mended_.cuts});
-    if(!is_basis_)
-      for(Json& pair : document["pairs"])
-        for(const char* key : {"diameter", "diameter_of"})
-          pair.erase(key);
-    return document;
+    return loops_document(mended_.mesh, answer_, {"", options(), 0., mended_.cuts});
   }
 
 private:
@@ -242,12 +247,19 @@ Checked_loops check_loops(const Input_file& file, const Mended_mesh& mended, Pro
   append(checked.problems, of_throats);
   if(!of_throats.empty())
     return checked;
-  const Json given = document_in(file);
+  Json given = document_in(file);
+  const bool is_basis = certificate || has_wrong_types_only(certificate);
+  if(!is_basis) {
+    given.erase("throats");
+    for(Json& pair : given["pairs"])
+      for(const char* key : details)
+        pair.erase(key);
+  }
   Document_differences differences = compare_documents(
       given, Loops_as_they_are(given, mended, std::move(loops), certificate, progress).document(),
       largest_coordinate(mesh));
   append(checked.problems, differences.claims);
-  if(given.contains("linking") && !certificate.linking.empty())
+  if(is_basis && given.contains("linking"))
     if(const auto problem = Linking_comparison(certificate.linking).problem(given["linking"]))
       checked.problems.push_back(*problem);
   checked.not_compared = std::move(differences.not_compared);

@@ -19,7 +19,7 @@ namespace htloops {
 namespace {
 
 /// How the values of a key are compared. In numbers, powers of lengths round differently.
-enum class Rule { RATIO, LENGTH, AREA, VOLUME, IF_KNOWN, SOME_MEMBERS, NOT_COMPARED };
+enum class Rule { RATIO, LENGTH, AREA, VOLUME, IF_KNOWN, SOME_MEMBERS, ELSEWHERE, NOT_COMPARED };
 
 struct Key
 {
@@ -82,7 +82,7 @@ constexpr Key keys[] = {
     {"inside", Rule::RATIO},
     {"kind", Rule::RATIO},
     {"length", Rule::LENGTH},
-    {"linking", Rule::RATIO},
+    {"linking", Rule::ELSEWHERE}, // in any order
     {"locations", Rule::RATIO},
     {"mean_radius", Rule::LENGTH},
     {"mesh", Rule::RATIO},
@@ -140,6 +140,9 @@ std::string in_words(const Json& value) {
   if(value.is_number_float())
     return htloops::in_words(value.get<double>());
   const std::string text = text_of(value);
+  constexpr std::size_t most = 80;
+  if(value.is_structured() && text.size() > most)
+    return text.substr(0, most) + "...";
   return value.is_string() ? text.substr(1, text.size() - 2) : text;
 }
 
@@ -156,6 +159,8 @@ public:
         leave_out(not_known_here, name);
       else if(key->rule == Rule::NOT_COMPARED)
         leave_out(key->reason, name);
+      else if(key->rule == Rule::ELSEWHERE)
+        continue;
       else if(is.contains(name))
         compare(place, *key, value, is[name]);
       else if(key->rule == Rule::IF_KNOWN)

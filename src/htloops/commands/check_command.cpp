@@ -127,12 +127,13 @@ once (except in a shortest basis). The report counts the loops that bound inside
 
 The certificate is computed from the two files alone. Every other value in the JSON is computed
 again from the loops and the mesh, and must agree. The keys that the mesh does not determine, such
-as timings and options, are listed as not checked. All errors are listed, the worst first. A loop that bounds on neither side is named, but is not an error. It is an error if the
-handle loop and the tunnel loop of a pair are swapped.
+as timings, are listed as not checked. All errors are listed, the worst first. A loop that bounds
+on neither side is named, but is not an error. It is an error if the handle loop and the tunnel
+loop of a pair are swapped.
 
 A skeleton must lie strictly inside, except for ends in the middle of boundary curves. It must not
-cross itself, and its cycles must be a basis of H1 of the solid, in each component separately. All
-of this is decided exactly. The file is a .json of 'htloops skeleton', or any .obj (lines), .vtp
+cross itself, and its cycles must be a basis of H1 of the solid, in each piece separately. All of
+this is decided exactly. The file is a .json of 'htloops skeleton', or any .obj (lines), .vtp
 (text or uncompressed base64), .swc, .graphml (x, y, z) or .polylines.txt. Edges that leave the
 solid are named by their points in the file, with the face, counted from 0, that they cross.
 )";

@@ -120,6 +120,7 @@ export function measure(mesh: MeshLike, options?: LoopsOptions): Promise<Loops>;
 
 export interface ReebGraph {
   mesh: MeshFacts;
+  capped: boolean;
   cycles: number;
   nodes: { id: number; type: 'minimum' | 'saddle' | 'maximum' | 'regular'; vertex: number; value: number; position: Point }[];
   arcs: { id: number; source: number; target: number; vertex_count: number; length: number; girth: number; polyline: Float64Array }[];
@@ -143,7 +144,7 @@ export function reebGraph(mesh: MeshLike, options?: ReebOptions): Promise<ReebGr
 export interface Skeleton {
   mesh: MeshFacts;
   cycles: number;
-  certificate: { connected: boolean; inside: boolean; embedded: boolean; cycles: boolean; failure: string };
+  certificate: { connected: boolean; inside: boolean; embedded: boolean; cycles: boolean; failure: string; taken_alone: string };
   nodes: { id: number; position: Point; radius: number; kind: string; component: number }[];
   arcs: { arc: number; component: number; length: number; source: number; target: number; polyline: Point[]; radii: number[] }[];
   vertex_point: number[];

@@ -219,6 +219,27 @@ TEST(Skeleton_certificate, TakesAPieceOfTheSolidWithItsCavities) {
             "components 0 and 1 cross or touch each other: each is taken alone");
 }
 
+// Which component is around another does not depend on their numbers.
+TEST(Skeleton_certificate, TakesAloneWhatLiesInComponentsThatMeet) {
+  const auto ball = [](double radius, double shift) {
+    return transformed(soup_of({"sphere", {80, 0, 0}}), radius, shift);
+  };
+  Soup hole = ball(0.1, -0.1);
+  reverse_orientation(hole);
+  for(const bool is_large_first : {false, true}) {
+    const Soup large = ball(2., 0.), small = ball(0.5, 0.);
+    const Mesh mesh = mesh_of(together(
+        together(is_large_first ? together(large, small) : together(small, large), ball(0.5, 0.3)),
+        hole));
+    const Certificate c = CGAL::certify_curve_skeleton(mesh, Graph(), Pairs());
+    EXPECT_NE(c.taken_alone.find("component 3 lies in component " +
+                                 std::to_string(is_large_first ? 1 : 0) +
+                                 ", which meets another one: it is taken alone"),
+              std::string::npos)
+        << c.taken_alone;
+  }
+}
+
 TEST(Skeleton_certificate, LinksRings) {
   // Rings that are linked with each other.
   const Mesh chain = mesh_of(linked_rings());

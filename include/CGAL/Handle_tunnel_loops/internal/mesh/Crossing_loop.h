@@ -188,7 +188,7 @@ Crossing_loop pushed_aside(const Flat_mesh& mesh,
                            const std::vector<Index>& walk,
                            const Predicate& is_pushed_right) {
   Crossing_loop loop;
-  const auto at = [&](std::size_t i) { return walk[i < walk.size() ? i : i - walk.size()]; };
+  const auto at = [&](std::size_t i) { return walk[i % walk.size()]; };
   const auto is_right_at = [&](std::size_t i) { // of the way by vertex i + 1
     return is_pushed_right(mesh.ring(at(i + 1)), at(i), at(i + 2));
   };

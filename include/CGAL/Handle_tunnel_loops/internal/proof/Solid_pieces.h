@@ -78,7 +78,7 @@ public:
       return;
     const Face_tree tree(execution, mesh, span_of(places));
     take_alone_what_meets(execution, tree, sorted, is_near);
-    join(tree, is_near);
+    join(execution, tree, is_near);
   }
 
   /// by component, the outer component of the piece that it bounds.
@@ -136,8 +136,9 @@ private:
                              const Sorted_boxes<3>& sorted,
                              const std::vector<char>& is_near) {
     does_meet_.assign(outer_.size(), 0);
+    met_ = pairs_that_meet(execution, tree, sorted, is_near);
     std::vector<std::string> lines;
-    for(const auto& [c, d] : pairs_that_meet(execution, tree, sorted, is_near)) {
+    for(const auto& [c, d] : met_) {
       does_meet_[c] = does_meet_[d] = 1;
       lines.push_back("components " + std::to_string(c) + " and " + std::to_string(d) +
                       " cross or touch each other: each is taken alone");
@@ -145,12 +146,26 @@ private:
     say(lines);
   }
 
+  // The components that a component lies in: none of those that it meets.
+  std::vector<Index> holders_of(Index c, const Face_tree& tree) const {
+    std::vector<Index> holders = components_that_hold(places_[mesh_.seeds[c]], mesh_, tree, c);
+    const auto is_met = [&](Index d) {
+      return std::binary_search(met_.begin(), met_.end(), Pair(std::minmax(c, d)));
+    };
+    holders.erase(std::remove_if(holders.begin(), holders.end(), is_met), holders.end());
+    return holders;
+  }
+
   // From the outside in.
-  void join(const Face_tree& tree, const std::vector<char>& is_near) {
+  void join(Execution execution, const Face_tree& tree, const std::vector<char>& is_near) {
     std::vector<std::vector<Index>> holders(outer_.size());
-    for(Index c = 0; c < outer_.size(); ++c)
-      if(is_near[c] != 0 && does_meet_[c] == 0)
-        holders[c] = components_that_hold(places_[mesh_.seeds[c]], mesh_, tree, c);
+    for_each_index(
+        execution, outer_.size(),
+        [&](std::size_t c) {
+          if(is_near[c] != 0)
+            holders[c] = holders_of(static_cast<Index>(c), tree);
+        },
+        1);
     std::vector<Index> order(outer_.size());
     std::iota(order.begin(), order.end(), Index(0));
     const auto is_held_by_fewer = [&](Index c, Index d) {
@@ -162,14 +177,15 @@ private:
     const std::vector<int> sides = sides_of(tree);
     std::vector<std::string> lines;
     for(Index c : order)
-      if(!holders[c].empty()) {
+      if(!holders[c].empty() && does_meet_[c] == 0) {
         const Index around =
             *std::max_element(holders[c].begin(), holders[c].end(), is_held_by_fewer);
-        if(does_meet_[around] != 0)
-          continue;
-        if(sides[c] != -sides[around])
+        const char* const why = does_meet_[around] != 0      ? ", which meets another one"
+                                : sides[c] != -sides[around] ? " with the same orientation"
+                                                             : nullptr;
+        if(why != nullptr)
           lines.push_back("component " + std::to_string(c) + " lies in component " +
-                          std::to_string(around) + " with the same orientation: it is taken alone");
+                          std::to_string(around) + why + ": it is taken alone");
         else if(outer_[around] == around)
           outer_[c] = around;
       }
@@ -196,6 +212,7 @@ private:
   const std::vector<Vector>& places_;
   std::vector<Index> outer_;    // by component
   std::vector<Box<3>> boxes_;   // by component
+  std::vector<Pair> met_;       // components that meet, sorted
   std::vector<char> does_meet_; // by component, another one
   std::string taken_alone_;
 };

@@ -174,7 +174,7 @@ public:
     return placed.any_meeting(placed, box, box, is_over_or_meet);
   }
 
-  /// how many pairs of triangles cross each other, but for parts of faces.
+  /// how many pairs of triangles cross each other, but for two parts of faces.
   std::size_t number_of_crossings() const {
     std::size_t number = 0;
     const Placed_boxes placed = placed_boxes();
@@ -246,7 +246,7 @@ public:
   }
 
   /// how many pairs of faces, one of a patch and one of it or of the mesh, cross each other, but
-  /// for parts of faces and those that it takes the place of.
+  /// for parts of faces with the mesh, and what it takes the place of.
   std::size_t number_of_crossings(const Placed_patch& patch, const std::vector<Index>& out) const {
     std::size_t number = patch.number_of_crossings();
     const Placed_boxes boxes_of_patch = patch.placed_boxes();
