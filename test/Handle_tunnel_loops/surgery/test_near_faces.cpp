@@ -219,14 +219,17 @@ TEST(Near_pairs, AreFewWhereAllBoxesMeet) {
 
 // ---- boxes along other axes
 
+// Of their sides, against the area of the surface, as each mesh has a unit of its own.
 double mean_size_of_boxes(const Surgery_mesh& mesh) {
-  double sum = 0.;
+  double sum = 0., area = 0.;
   for(Index f = 0; f < mesh.face_bound(); ++f) {
-    const impl::Box<3> b = mesh.box_axes().box(impl::placed_triangle(mesh, f).corners());
+    const auto t = impl::placed_triangle(mesh, f).corners();
+    area += impl::norm(impl::cross(t[1] - t[0], t[2] - t[0]));
+    const impl::Box<3> b = mesh.box_axes().box(t);
     for(int i = 0; i < 3; ++i)
       sum += (b.high[i] - b.low[i]) * (b.high[(i + 1) % 3] - b.low[(i + 1) % 3]);
   }
-  return sum / double(mesh.face_bound());
+  return sum / area;
 }
 
 TEST(Box_axes, AreAlongLongFacesHoweverTheyLie) {

@@ -750,9 +750,14 @@ TEST(Surgery, MeasuresHowFarTheSurfaceMoves) {
     const Surgery_mesh mesh = surgery_mesh_of(spire);
     const impl::Patch base{{}, {{0, 1, 2}}, {}, {0}};
     const impl::Intended_change anything{true, true, 1., true};
-    const impl::Judged_change change =
+    impl::Judged_change change =
         impl::Shape_judge(mesh, true).change(mesh, {1, 2, 3}, base, anything);
-    double most = 0.;
+    double largest = 0., most = 0.;
+    for(const Point& q : p)
+      largest = (std::max)({largest, std::abs(q.x()), std::abs(q.y()), std::abs(q.z())});
+    const double unit = std::exp2(std::ilogb(largest)); // the mesh's own
+    change.displacement *= unit;
+    change.burial *= unit;
     constexpr int n = 50;
     for(int i = 0; i <= n; ++i)
       for(int k = 0; k <= n - i; ++k) {
