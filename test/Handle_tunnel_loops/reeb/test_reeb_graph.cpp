@@ -628,7 +628,7 @@ TEST(Reeb_arc_girths, AreThoseOfContoursCutFromTheMesh) {
     return function;
   };
   for(const Recipe& recipe : {Recipe{"torus", {3000, 1, 0}}, Recipe{"multi-torus", {1500, 3, 0}},
-                              Recipe{"lattice", {1200, 5, 0}}, Recipe{"random", {300, 2, 1}}})
+                              Recipe{"lattice", {2000, 5, 0}}, Recipe{"random", {300, 2, 1}}})
     for(const double noise : {1e-9, 0.02}) {
       SCOPED_TRACE(testing::Message() << recipe << ", noise " << noise);
       expect_girths(soup_of(recipe), heights(soup_of(recipe), noise));
