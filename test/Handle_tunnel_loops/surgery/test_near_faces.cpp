@@ -223,9 +223,9 @@ TEST(Near_pairs, AreFewWhereAllBoxesMeet) {
 double mean_size_of_boxes(const Surgery_mesh& mesh) {
   double sum = 0., area = 0.;
   for(Index f = 0; f < mesh.face_bound(); ++f) {
-    const auto t = impl::placed_triangle(mesh, f).corners();
-    area += impl::norm(impl::cross(t[1] - t[0], t[2] - t[0]));
-    const impl::Box<3> b = mesh.box_axes().box(t);
+    const impl::Placed_triangle t = impl::placed_triangle(mesh, f);
+    area += t.area();
+    const impl::Box<3> b = mesh.box_axes().box(t.corners());
     for(int i = 0; i < 3; ++i)
       sum += (b.high[i] - b.low[i]) * (b.high[(i + 1) % 3] - b.low[(i + 1) % 3]);
   }
