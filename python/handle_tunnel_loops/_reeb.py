@@ -182,7 +182,7 @@ def reeb(
             raise ValueError("sources and f cannot be given together: f replaces the front that starts at sources")
         f = numbers("f", f)
         is_integer = f.dtype.kind in "iu"
-        if f.dtype.kind == "u" and f.size > 0 and f.max() > np.iinfo(np.int64).max:
+        if f.dtype.kind == "u" and f.size > 0 and int(f.max()) > np.iinfo(np.int64).max:
             raise ValueError("f has integers of 2**63 or more")
         f = np.ascontiguousarray(f, dtype=np.int64 if is_integer else float)
         if f.shape != (len(points),):
