@@ -68,10 +68,18 @@ void solve(const Mesh& mesh) {
   require(bool(CGAL::certify_handle_tunnel_loops(mesh, pairs)), "the loops are certified");
   std::vector<Mesh::Edge_index> cut;
   CGAL::cut_to_disk(mesh, std::back_inserter(cut), CGAL::parameters::known_loops(pairs));
-  CGAL::Reeb_graph<Mesh> graph;
-  CGAL::reeb_graph(mesh, graph);
-  require(num_edges(graph) + solver.number_of_components() - num_vertices(graph) == solver.genus(),
-          "a Reeb graph has as many cycles as there are handles");
+  const auto number_of_cycles = [&](bool is_capped) {
+    CGAL::Handle_tunnel_loops::Reeb_options options;
+    options.capped = is_capped;
+    CGAL::Reeb_graph<Mesh> graph;
+    CGAL::reeb_graph(mesh, graph, CGAL::parameters::reeb_options(options));
+    return num_edges(graph) + solver.number_of_components() - num_vertices(graph);
+  };
+  require(number_of_cycles(true) == solver.genus(),
+          "a capped Reeb graph has as many cycles as there are handles");
+  const std::size_t cycles = number_of_cycles(false);
+  require(cycles >= solver.genus() && (cycles == solver.genus() || !CGAL::is_closed(mesh)),
+          "a Reeb graph has as many cycles, or more at a boundary");
 }
 
 void solve_if_sound(const Soup& soup) {
