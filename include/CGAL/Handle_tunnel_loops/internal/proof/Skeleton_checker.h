@@ -21,6 +21,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Inside_test.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/append_lines.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -82,17 +83,10 @@ private:
 
   // ---- words
 
-  void fail(const std::string& line) {
-    certificate_.failure += (certificate_.failure.empty() ? "" : "\n") + line;
-  }
+  void fail(const std::string& line) { append_line(certificate_.failure, line); }
 
-  // Not all, if there are many of a kind.
   void fail(const std::vector<std::string>& lines, const std::string& kind) {
-    constexpr std::size_t most = 10;
-    for(std::size_t i = 0; i < lines.size() && i < most; ++i)
-      fail(lines[i]);
-    if(lines.size() > most)
-      fail("... and " + std::to_string(lines.size() - most) + " more " + kind);
+    append_lines(certificate_.failure, lines, kind);
   }
 
   std::string name(Index point) const {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/linking/Component_orientation.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/proof/append_lines.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Exact_meeting.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
@@ -143,7 +144,7 @@ private:
       lines.push_back("components " + std::to_string(c) + " and " + std::to_string(d) +
                       " cross or touch each other: each is taken alone");
     }
-    say(lines);
+    append_lines(taken_alone_, lines, "of that kind");
   }
 
   // The components that a component lies in: none of those that it meets.
@@ -189,7 +190,7 @@ private:
         else if(outer_[around] == around)
           outer_[c] = around;
       }
-    say(lines);
+    append_lines(taken_alone_, lines, "of that kind");
   }
 
   std::vector<int> sides_of(const Face_tree& tree) const {
@@ -197,15 +198,6 @@ private:
       for(Index f = 0; f < tree.size(); ++f)
         add(mesh_.component[tree.corners(f)[0]], tree.triangle(f));
     });
-  }
-
-  // Not all, if there are many of a kind.
-  void say(const std::vector<std::string>& lines) {
-    constexpr std::size_t most = 10;
-    for(std::size_t i = 0; i < lines.size() && i < most; ++i)
-      taken_alone_ += (taken_alone_.empty() ? "" : "\n") + lines[i];
-    if(lines.size() > most)
-      taken_alone_ += "\n... and " + std::to_string(lines.size() - most) + " more of that kind";
   }
 
   const Flat_mesh& mesh_;
