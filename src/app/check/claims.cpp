@@ -81,6 +81,8 @@ bool has_wrong_types_only(const Certificate& c) {
   return c.closed_on_surface && c.basis && c.pairing && !c.types;
 }
 
+bool is_basis(const Certificate& c) { return bool(c) || has_wrong_types_only(c); }
+
 /// What linking numbers a document has, and which are so.
 class Linking_comparison
 {
@@ -160,7 +162,6 @@ public:
                     Progress& progress)
       : given_(given)
       , mended_(mended)
-      , is_basis_(certificate || has_wrong_types_only(certificate))
       , has_measures_(has_any(given, {"thickness", "clear_width", "not_measured_because"}))
       , has_costs_(has_any(given, {"cut", "no_cut_because", "fill", "no_fill_because"})) {
     count_surface(mended.mesh, answer_.statistics);
@@ -169,7 +170,7 @@ public:
     answer_.certificate = std::move(certificate);
     answer_.unit = mended.facts.unit;
     // What is computed from a basis needs one.
-    if(is_basis_)
+    if(is_basis(answer_.certificate))
       add_details(loops.throats, progress);
   }
 
@@ -212,7 +213,7 @@ private:
 
   const Json& given_;
   const Mended_mesh& mended_;
-  bool is_basis_, has_measures_, has_costs_;
+  bool has_measures_, has_costs_;
   Answer answer_;
 };
 
@@ -248,8 +249,7 @@ Checked_loops check_loops(const Input_file& file, const Mended_mesh& mended, Pro
   if(!of_throats.empty())
     return checked;
   Json given = document_in(file);
-  const bool is_basis = certificate || has_wrong_types_only(certificate);
-  if(!is_basis) {
+  if(!is_basis(certificate)) {
     given.erase("throats");
     for(Json& pair : given["pairs"])
       for(const char* key : details)
@@ -259,7 +259,7 @@ Checked_loops check_loops(const Input_file& file, const Mended_mesh& mended, Pro
       given, Loops_as_they_are(given, mended, std::move(loops), certificate, progress).document(),
       largest_coordinate(mesh));
   append(checked.problems, differences.claims);
-  if(is_basis && given.contains("linking"))
+  if(is_basis(certificate) && given.contains("linking"))
     if(const auto problem = Linking_comparison(certificate.linking).problem(given["linking"]))
       checked.problems.push_back(*problem);
   checked.not_compared = std::move(differences.not_compared);
