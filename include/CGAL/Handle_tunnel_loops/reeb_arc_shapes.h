@@ -47,9 +47,10 @@ middle vertex has position n/2, rounded down, among the n vertices of the arc
 
 In the full Reeb graph, this contour is unique. In a simplified graph, an arc may have several
 contours at this value, because it goes down and up again or because limbs were removed; the girth
-is the length of the contour that crosses most edges between vertices of the arc. An arc without
-vertices is cut just below its upper node. The girth is 0 if the middle vertex is a minimum. Caps
-are not part of the mesh: the girth does not count what a contour runs across them.
+is the length of the contour that crosses most edges between vertices of the arc; if none crosses
+any, of the longest one beside the middle vertex. An arc without vertices is cut just below its
+upper node. The girth is 0 if the middle vertex is a minimum. Caps are not part of the mesh: the
+girth does not count what a contour runs across them.
 
 The running time is linear in the size of the mesh and in the lengths of these contours.
 

@@ -214,7 +214,7 @@ private:
   };
 
   // Handles, and then necks. If some handles are left where others were removed, all is done once
-  // more, and they come first.
+  // more, and they come first: as long as there are new ones among them, and not more are left.
   template <typename VertexIndexMap, typename FaceIndexMap>
   Attempt attempt_at_all(const std::vector<Removal_task>& tasks,
                          VertexIndexMap vertex_index,
@@ -223,10 +223,14 @@ private:
     Attempt attempt = attempt_at(
         tasks, options_.only_channels ? Removal_effort::GIVEN_LOOPS : Removal_effort::ALL_LOOPS,
         vertex_index, face_index);
-    if(!options_.only_channels && may_do_better(attempt.tasks)) {
-      Attempt other = attempt_at(hindered_first(tasks, attempt.tasks), Removal_effort::MORE_LOOPS,
+    std::set<std::size_t> first; // those that come first, by pair
+    std::vector<Removal_task> done = attempt.tasks;
+    while(!options_.only_channels && number_left(done) <= number_left(attempt.tasks) &&
+          may_do_better(done, first)) {
+      Attempt other = attempt_at(hindered_first(tasks, done, first), Removal_effort::MORE_LOOPS,
                                  vertex_index, face_index);
-      if(number_left(other.tasks) < number_left(attempt.tasks))
+      done = other.tasks;
+      if(number_left(done) < number_left(attempt.tasks))
         attempt = std::move(other);
     }
     if(options_.maximal_neck_length > 0.) {
@@ -268,26 +272,33 @@ private:
     return attempt;
   }
 
-  // Whether some handles may be left because of others that were removed: not if they are too many.
-  static bool may_do_better(const std::vector<Removal_task>& done) {
+  // Whether some handles that did not come first may be left because of others that were removed:
+  // not if they are too many.
+  static bool may_do_better(const std::vector<Removal_task>& done,
+                            const std::set<std::size_t>& first) {
     constexpr std::size_t most = 2; // for each that was removed, and before the first one
     return number_left(done) <= most * (1 + number_with(Removal_task::State::REMOVED, done)) &&
-           std::any_of(done.begin(), done.end(), is_hindered);
+           std::any_of(done.begin(), done.end(), [&](const Removal_task& task) {
+             return is_hindered(task) && first.count(task.pair) == 0;
+           });
   }
 
   static bool is_hindered(const Removal_task& task) {
     return task.has_failed() && task.is_hindered;
   }
 
-  // The others as it was done before.
+  // Those that are hindered are added to the first ones; the others are tried as it was done before.
   static std::vector<Removal_task> hindered_first(std::vector<Removal_task> tasks,
-                                                  const std::vector<Removal_task>& done) {
+                                                  const std::vector<Removal_task>& done,
+                                                  std::set<std::size_t>& first) {
     std::map<std::size_t, const Removal_task*> done_of; // by pair
     for(const Removal_task& task : done)
       done_of[task.pair] = &task;
     for(Removal_task& task : tasks) {
       const Removal_task& other = *done_of.at(task.pair);
-      task.comes_first = is_hindered(other);
+      if(is_hindered(other))
+        first.insert(task.pair);
+      task.comes_first = first.count(task.pair) > 0;
       if(other.state == Removal_task::State::REMOVED && other.are_given_loops)
         task.region = other.region;
     }
