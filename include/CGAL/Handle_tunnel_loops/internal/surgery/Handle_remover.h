@@ -226,7 +226,8 @@ private:
     std::set<std::size_t> first; // those that come first, by pair
     std::vector<Removal_task> done = attempt.tasks;
     while(!options_.only_channels && number_left(done) <= number_left(attempt.tasks) &&
-          may_do_better(done, first)) {
+          may_do_better(done, first))
+    {
       Attempt other = attempt_at(hindered_first(tasks, done, first), Removal_effort::MORE_LOOPS,
                                  vertex_index, face_index);
       done = other.tasks;
@@ -287,7 +288,8 @@ private:
     return task.has_failed() && task.is_hindered;
   }
 
-  // Those that are hindered are added to the first ones; the others are tried as it was done before.
+  // Those that are hindered are added to the first ones; the others are tried as it was done
+  // before.
   static std::vector<Removal_task> hindered_first(std::vector<Removal_task> tasks,
                                                   const std::vector<Removal_task>& done,
                                                   std::set<std::size_t>& first) {
