@@ -15,6 +15,8 @@
 
 #include <pybind11/stl.h>
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -89,16 +91,29 @@ std::vector<htloops::Loop_record> loop_records(const py::dict& record) {
   return loops;
 }
 
-// By pair; the diameter of what is no bore is 0.
-py::dict record_of_bores(const htloops::Bores& bores) {
-  std::vector<double> diameters;
+// By pair; what only a bore has is NaN, or -1, where there is none.
+py::dict record_of_holes(const htloops::Pairs& pairs, const htloops::Bores& bores) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> diameters, out_of_roundness, walls, depths, deviations;
+  std::vector<std::int64_t> drillings;
   std::vector<htloops::Point> centres, axes;
-  for(const std::optional<htloops::Bore>& bore : bores) {
-    diameters.push_back(bore ? bore->diameter : 0.);
-    centres.push_back(bore ? bore->center : htloops::Point(0., 0., 0.));
-    axes.push_back(CGAL::ORIGIN + (bore ? bore->axis : htloops::Kernel::Vector_3(0., 0., 0.)));
+  for(std::size_t i = 0; i < bores.size(); ++i) {
+    const std::optional<htloops::Bore>& bore = bores[i];
+    const htloops::Listed_hole hole = htloops::hole_of(pairs[i], bore);
+    diameters.push_back(hole.diameter);
+    out_of_roundness.push_back(bore ? none : hole.out_of_roundness);
+    walls.push_back(hole.wall_diameter);
+    depths.push_back(bore ? bore->length : none);
+    deviations.push_back(bore ? bore->deviation : none);
+    drillings.push_back(bore ? static_cast<std::int64_t>(bore->drilling) : -1);
+    centres.push_back(bore ? bore->center : htloops::Point(none, none, none));
+    axes.push_back(CGAL::ORIGIN +
+                   (bore ? bore->axis : htloops::Kernel::Vector_3(none, none, none)));
   }
-  return py::dict("diameters"_a = array_of(diameters), "centres"_a = rows_of<double>(centres),
+  return py::dict("diameters"_a = array_of(diameters),
+                  "out_of_roundness"_a = array_of(out_of_roundness), "walls"_a = array_of(walls),
+                  "depths"_a = array_of(depths), "deviations"_a = array_of(deviations),
+                  "drillings"_a = array_of(drillings), "centres"_a = rows_of<double>(centres),
                   "axes"_a = rows_of<double>(axes));
 }
 
@@ -184,17 +199,17 @@ py::dict record_of(const Mesh& mesh, const htloops::Answer& answer) {
   waists["numbers"] = numbers_of(answer.boundaries.waists);
   py::dict record = record_of(mesh, loops);
   add_layers(record, answer.vertex_layers);
-  return py::dict("components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
-                  "bounds_alone"_a = sides_alone,
-                  "linking"_a = matrix_of(answer.certificate.linking),
-                  "certificate"_a = certificate_of(answer.certificate),
-                  "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
-                  "ended_by_time"_a = answer.statistics.was_ended_by_time,
-                  "number_of_vertices"_a = mesh.number_of_vertices(),
-                  "number_of_faces"_a = mesh.number_of_faces(),
-                  "number_of_components"_a = components, "diagonal"_a = htloops::diagonal_of(mesh),
-                  "seconds"_a = seconds_of(answer), "boundaries"_a = boundaries,
-                  "waists"_a = waists, "bores"_a = record_of_bores(answer.bores), **record);
+  return py::dict(
+      "components"_a = components_of(mesh, loops, components), "bounds"_a = sides,
+      "bounds_alone"_a = sides_alone, "linking"_a = matrix_of(answer.certificate.linking),
+      "certificate"_a = certificate_of(answer.certificate),
+      "basis"_a = CGAL::Handle_tunnel_loops::name_of(answer.certificate.basis_kind),
+      "ended_by_time"_a = answer.statistics.was_ended_by_time,
+      "number_of_vertices"_a = mesh.number_of_vertices(),
+      "number_of_faces"_a = mesh.number_of_faces(), "number_of_components"_a = components,
+      "diagonal"_a = htloops::diagonal_of(mesh), "seconds"_a = seconds_of(answer),
+      "boundaries"_a = boundaries, "waists"_a = waists,
+      "holes"_a = record_of_holes(answer.pairs, answer.bores), **record);
 }
 
 htloops::Bound_loops loops_of(const py::dict& record, const Mesh& mesh) {

@@ -177,18 +177,24 @@ class Loops(Comparable, Sequence[Tuple[Loop, Loop]]):
         pair, component : the number of the pair, and of its component
         handle_length, tunnel_length : in the unit of the coordinates
         size : the length of the shorter loop over the diagonal of the bounding box
-        centre_x to centre_z, xmin to zmax : the center and the bounding box of the shorter loop
+        centre_x to centre_z : of a bore, on its axis, in the middle; otherwise of the box of the shorter loop
+        xmin to zmax : the bounding box of the shorter loop
         handle_bounds, tunnel_bounds : as `Loop.bounds`
-        diameter : of the round bore that the tunnel loop goes around, or else of a circle as long as the
-            shorter loop
-        diameter_of : "bore", "handle" or "tunnel"
-        bore_axis_x to bore_centre_z : of the bore; NaN if there is none
+        diameter : of the round bore that the tunnel loop goes around, or else of the circle that fits that
+            loop best
+        diameter_of : "bore" or "hole"
+        out_of_roundness : of a hole that is no bore, the largest distance of its tunnel loop to the center of
+            that circle less the smallest one, over the diameter
+        wall_diameter : of a circle as long as the handle loop, which goes around the wall beside the hole
+        bore_axis_x to bore_deviation : of the bore; NaN if there is none. Its depth is its length along the
+            axis, and the deviation the largest distance of an edge of its wall to the cylinder, at most
+        drilling : parts of one bore that others cut have the same number; -1 if there is no bore
 
         For the table and its rows, "centre", "bore_axis" and "bore_centre" give three columns as one array,
         and "box" gives six, of shape (2, 3).
         """
         record = self._whole_record()
-        return table_of(self, record["diagonal"], record["bores"])
+        return table_of(self, record["diagonal"], record["holes"])
 
     def _repr_html_(self) -> str:
         """The table, for notebooks, below a picture as long as the arrays of the mesh exist."""

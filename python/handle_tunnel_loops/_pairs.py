@@ -60,34 +60,43 @@ _row = np.dtype(
             ("handle_bounds", "U9"),
             ("tunnel_bounds", "U9"),
             ("diameter", np.float64),
-            ("diameter_of", "U6"),
+            ("diameter_of", "U4"),
+            ("out_of_roundness", np.float64),
+            ("wall_diameter", np.float64),
             *_reals("bore_axis", "bore_centre"),
+            ("bore_depth", np.float64),
+            ("bore_deviation", np.float64),
+            ("drilling", np.int64),
         ],
     )
 )
 
 
-def table_of(L: Any, diagonal: float, bores: Dict[str, np.ndarray]) -> PairTable:
+def table_of(L: Any, diagonal: float, holes: Dict[str, np.ndarray]) -> PairTable:
     table = np.zeros(L.genus, dtype=_row)
     for i, (handle, tunnel) in enumerate(zip(L.handles, L.tunnels)):
         shorter = handle if handle.length <= tunnel.length else tunnel
         box = np.array([shorter.points.min(axis=0), shorter.points.max(axis=0)])
-        is_bore = bores["diameters"][i] > 0
-        no_bore = np.full(3, np.nan)
+        is_bore = holes["drillings"][i] >= 0
         table[i] = (
             i,
             handle.length,
             tunnel.length,
             shorter.length / diagonal if diagonal > 0 else 0.0,
-            *(box[0] / 2 + box[1] / 2),
+            *(holes["centres"][i] if is_bore else box[0] / 2 + box[1] / 2),
             *box.ravel(),
             handle.component,
             handle.bounds,
             tunnel.bounds,
-            bores["diameters"][i] if is_bore else shorter.length / np.pi,
-            "bore" if is_bore else shorter.kind,
-            *(bores["axes"][i] if is_bore else no_bore),
-            *(bores["centres"][i] if is_bore else no_bore),
+            holes["diameters"][i],
+            "bore" if is_bore else "hole",
+            holes["out_of_roundness"][i],
+            holes["walls"][i],
+            *holes["axes"][i],
+            *holes["centres"][i],
+            holes["depths"][i],
+            holes["deviations"][i],
+            holes["drillings"][i],
         )
     return table[np.argsort(table["size"], kind="stable")].view(PairTable)
 

@@ -118,9 +118,11 @@ def test_table(genus_3):
         assert np.isclose(row["size"], shorter.length / diagonal)
         assert np.array_equal(row["box"][0], shorter.points.min(axis=0))
         assert (row["handle_bounds"], row["tunnel_bounds"]) == (handle.bounds, tunnel.bounds)
-        assert row["diameter_of"] == shorter.kind
-        assert np.isclose(row["diameter"], shorter.length / np.pi)
-        assert np.all(np.isnan(row["bore_axis"]))
+        assert row["diameter_of"] == "hole" and row["drilling"] == -1
+        distance = np.linalg.norm(tunnel.points - tunnel.points.mean(axis=0), axis=1)
+        assert distance.min() <= row["diameter"] / 2 <= distance.max()
+        assert row["out_of_roundness"] > 0 and np.isclose(row["wall_diameter"], handle.length / np.pi)
+        assert np.all(np.isnan(row["bore_axis"])) and np.isnan(row["bore_depth"])
 
 
 def test_notebooks(genus_3):
@@ -151,6 +153,8 @@ def test_bores():
     (row,) = L.table()
     assert row["diameter_of"] == "bore" and np.isclose(row["diameter"], 2)
     assert np.allclose(row["bore_axis"], (0, 0, 1)) and np.allclose(row["bore_centre"], (0, 0, 0.5))
+    assert np.allclose(row["centre"], (0, 0, 0.5)) and np.isclose(row["bore_depth"], 1) and row["drilling"] == 0
+    assert row["bore_deviation"] < 1e-12 and np.isnan(row["out_of_roundness"])
     columns = L.columns()
     assert all(column.shape == (1,) for column in columns.values())
     assert columns["bore_axis_z"] == row["bore_axis"][2] and columns["ymax"] == row["box"][1, 1]

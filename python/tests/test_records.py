@@ -18,7 +18,7 @@ def test_what_a_record_lacks_is_said(torus, key):
 
 def test_what_a_part_of_a_record_lacks_is_said(torus):
     record = htl.loops(*torus)._record
-    for part, key in [("bores", "diameters"), ("waists", "numbers"), ("certificate", "pairing")]:
+    for part, key in [("holes", "diameters"), ("waists", "numbers"), ("certificate", "pairing")]:
         rest = {name: value for name, value in record[part].items() if name != key}
         with pytest.raises(ValueError, match=f"{part} of the loops is incomplete: it has no '{key}'"):
             htl.Loops({**record, part: rest}).table()

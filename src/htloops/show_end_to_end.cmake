@@ -197,7 +197,7 @@ expect_equal("${exit}" 3)
 run(3 loops broken.off --csv one.csv -q)
 file(STRINGS "${FOLDER}/one.csv" rows)
 list(GET rows 0 header)
-expect_match("${header}" ",diameter,diameter_of,axis_x,axis_y,axis_z,genus,error,unit$")
+expect_match("${header}" ",diameter_of,axis_x,axis_y,axis_z,depth,deviation,out_of_roundness,wall_diameter,genus,error,unit$")
 list(GET rows 1 row)
 expect_match("${row}" "^broken.off,+.*broken.off:5")
 run(0 loops sphere.off --csv one.csv -q)
@@ -205,11 +205,11 @@ file(STRINGS "${FOLDER}/one.csv" rows)
 list(GET rows 1 row)
 expect_match("${row}" "^sphere.off,+0,,$")
 
-# The diameter of a handle is that of a circle as long as the shorter loop; of a bore see remove_end_to_end.
+# The diameter of a hole is that of the circle that fits the tunnel loop best; of a bore see remove_end_to_end.
 run(0 loops torus.off -o torus.json)
 file(READ "${FOLDER}/torus.json" torus)
 string(JSON of GET "${torus}" pairs 0 diameter_of)
-expect_match("${of}" "handle|tunnel")
+expect_match("${of}" "hole")
 
 foreach(option IN ITEMS --output --lines --picture --html --gltf --events --layers --write-mesh)
   run(2 loops torus.off mesh.off ${option} out.file)

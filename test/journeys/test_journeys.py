@@ -146,6 +146,7 @@ def test_who_designs_parts_gets_holes_with_their_diameters(tool):
     row, = csv.DictReader((tool.folder / "bores.csv").open())
     assert row["diameter_of"] == "bore" and float(row["diameter"]) == pytest.approx(4.0, rel=1e-5)
     assert abs(float(row["axis_z"])) == pytest.approx(1.0, abs=1e-6)
+    assert [float(row[c]) for c in "xyz"] == pytest.approx([0.0, 0.0, 0.5 * float(row["depth"])], abs=1e-6)
 
 
 def test_who_solves_fields_gets_cuts_as_physical_groups(tool):

@@ -50,6 +50,9 @@ template <typename Point> struct Loop_shape
     Point center;     ///< the center
     double diameter;  ///< the diameter
     double deviation; ///< the largest distance of a corner of the polyline to it, in the plane
+    /// the largest distance of the polyline to the center less the smallest one, over the diameter:
+    /// 0.18 for a square
+    double out_of_roundness;
   };
 
   double length = 0.;   ///< the length of the polyline
@@ -67,6 +70,10 @@ template <typename Point> struct Loop_shape
   /// at which the polyline is straight, seen along the normal, are not corners: around a coarse
   /// bore, the loop lies on a polygon, and the corners of the polygon lie on the circle.
   std::optional<Circle> circle;
+  /// the circle that fits best, however round the polyline is, unless its length is 0: that through
+  /// the corners, if no gap between them is wider than the sides of a hexagon and the polyline goes
+  /// around once; otherwise about the centroid, at the mean distance.
+  std::optional<Circle> best_circle;
 };
 
 } // namespace Handle_tunnel_loops
@@ -108,9 +115,14 @@ auto loop_shape(const PointRange& points)
   shape.center = point(found.center);
   shape.normal = typename Shape::Vector(found.normal.x(), found.normal.y(), found.normal.z());
   shape.deviation = found.deviation;
-  if(found.circle)
-    shape.circle = typename Shape::Circle{point(found.circle->center), found.circle->diameter,
-                                          found.circle->deviation};
+  const auto circle = [&](const auto& c) {
+    using Circle = typename Shape::Circle;
+    return c ? std::optional<Circle>(
+                   {point(c->center), c->diameter, c->deviation, c->out_of_roundness})
+             : std::nullopt;
+  };
+  shape.circle = circle(found.circle);
+  shape.best_circle = circle(found.best_circle);
   return shape;
 }
 

@@ -14,6 +14,8 @@
 
 #include <CGAL/Kernel_traits.h>
 
+#include <cstddef>
+
 namespace CGAL {
 
 namespace Handle_tunnel_loops {
@@ -29,10 +31,15 @@ template <typename Point> struct Round_bore
 {
   double diameter; ///< the diameter of the circle through the edges of its wall, in the unit of the
                    ///< coordinates
-  Point center;    ///< the midpoint of its axis
+  Point center;    ///< on its axis, in the middle of its length
   /// the direction of its axis, of length 1. The coordinate of largest absolute value is positive;
   /// if there are several, the first of them.
   typename Kernel_traits<Point>::Kernel::Vector_3 axis;
+  /// how far its wall reaches along the axis. A bore that others cut into parts is measured from
+  /// end to end.
+  double length;
+  double deviation;     ///< the largest distance of an edge of its wall to that cylinder, at most
+  std::size_t drilling; ///< from 0 on; what is parted by other bores has the same number
 };
 
 } // namespace Handle_tunnel_loops

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -42,7 +43,8 @@ Finds, for each pair of loops, the round bore that its tunnel loop goes around, 
 bore is round if the faces that can be reached from the loop without crossing a convex edge contain
 a cylinder all around, and end at mouths of which at least one is planar. The diameter is that of
 the circle through the vertices of the wall, so it is exact for any number of sides from six on. For
-a bore with counterbores, it is the diameter of the narrowest part.
+a bore with counterbores, it is the diameter of the narrowest part. A bore that is parted by others
+goes on beyond them, if its axis does up to a hundredth of the diameter.
 
 The running time is near linear in the size of the mesh and of the walls of the bores. It is linear
 in the length of the loops if no loop looks like that of a bore: most faces that a tight loop around
@@ -125,13 +127,18 @@ OutputIterator round_bores(const TriangleMesh& tm,
     const impl::Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
     const auto found = impl::bores_around(execution, mesh, tunnels);
     const double unit = link.unit();
+    std::map<impl::Index, std::size_t> drillings; // by their first faces
     for(std::size_t i = 0; i < found.size(); ++i)
       if(found[i]) {
         const auto& c = found[i]->center;
         const auto& a = found[i]->axis;
-        bores[numbers[i]] = Bore{unit * found[i]->diameter,
-                                 Point(unit * c.x(), unit * c.y(), unit * c.z()),
-                                 {a.x(), a.y(), a.z()}};
+        bores[numbers[i]] =
+            Bore{unit * found[i]->diameter,
+                 Point(unit * c.x(), unit * c.y(), unit * c.z()),
+                 {a.x(), a.y(), a.z()},
+                 unit * found[i]->length,
+                 unit * found[i]->deviation,
+                 drillings.insert({found[i]->first_face, drillings.size()}).first->second};
       }
   }
   return std::copy(bores.begin(), bores.end(), out);

@@ -139,9 +139,18 @@ private:
 };
 
 // What can be computed from a basis only.
-constexpr std::array<const char*, 10> details = {
-    "bore", "thickness",       "clear_width", "not_measured_because", "cut", "no_cut_because",
-    "fill", "no_fill_because", "diameter",    "diameter_of"};
+constexpr std::array<const char*, 12> details = {"bore",
+                                                 "thickness",
+                                                 "clear_width",
+                                                 "not_measured_because",
+                                                 "cut",
+                                                 "no_cut_because",
+                                                 "fill",
+                                                 "no_fill_because",
+                                                 "diameter",
+                                                 "diameter_of",
+                                                 "out_of_roundness",
+                                                 "wall_diameter"};
 
 bool has_any(const Json& document, std::initializer_list<const char*> names) {
   const Json& pairs = document["pairs"];

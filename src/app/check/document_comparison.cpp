@@ -61,9 +61,11 @@ constexpr Key keys[] = {
     {"curve", Rule::LENGTH},
     {"cut", Rule::RATIO},
     {"cycles", Rule::RATIO},
+    {"depth", Rule::LENGTH},
     {"deviation", Rule::LENGTH},
     {"diameter", Rule::LENGTH},
     {"diameter_of", Rule::RATIO},
+    {"drilling", Rule::RATIO},
     {"edges_outside", Rule::RATIO},
     {"embedded", Rule::RATIO},
     {"ended_by_time", Rule::NOT_COMPARED, of_history},
@@ -93,6 +95,7 @@ constexpr Key keys[] = {
     {"not_measured_because", Rule::RATIO},
     {"on_cycle", Rule::RATIO},
     {"options", Rule::SOME_MEMBERS, of_history},
+    {"out_of_roundness", Rule::RATIO},
     {"pair", Rule::RATIO},
     {"pairing", Rule::RATIO},
     {"pairs", Rule::RATIO},
@@ -127,6 +130,7 @@ constexpr Key keys[] = {
     {"vertices", Rule::RATIO},
     {"volume", Rule::VOLUME},
     {"waist", Rule::RATIO},
+    {"wall_diameter", Rule::LENGTH},
 };
 
 const Key* find_key(const std::string& name) {

@@ -109,16 +109,17 @@ Exported_lines lines_of(const Throats& throats) {
 
 std::string label_of(const Listed_pair& listed, Loop_type type) {
   const std::string number = std::to_string(listed.pair) + ": ";
-  const bool is_of_this = listed.diameter.of == std::string(name_of(type));
+  const bool is_handle = type == Loop_type::HANDLE, is_bore = listed.hole.bore.has_value(),
+             is_shorter = is_handle == (listed.handle_length <= listed.tunnel_length);
   if(const auto& measure = listed.measure) {
-    if(const auto& ball = measure->thickness; ball && type == Loop_type::HANDLE)
+    if(const auto& ball = measure->thickness; ball && is_handle)
       return number + three_digits(ball->diameter) + " thick";
-    if(const auto& ball = measure->clear_width;
-       ball && !listed.diameter.bore && type == Loop_type::TUNNEL)
+    if(const auto& ball = measure->clear_width; ball && !is_bore && !is_handle)
       return number + three_digits(ball->diameter) + " wide";
   }
-  if(is_of_this && (!listed.measure || listed.diameter.bore))
-    return number + "d = " + three_digits(listed.diameter.value);
+  if(is_bore ? !is_handle : is_shorter && !listed.measure)
+    return number +
+           "d = " + three_digits(is_handle ? listed.hole.wall_diameter : listed.hole.diameter);
   return std::to_string(listed.pair);
 }
 

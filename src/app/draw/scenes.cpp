@@ -130,7 +130,7 @@ void add_scales(htl_scene::Table& table, const Pair_listing& listing) {
       table.scales.back().values.push_back(
           value_of(pair).value_or(std::numeric_limits<double>::quiet_NaN()));
   };
-  add("diameter", [](const Listed_pair& pair) { return std::optional(pair.diameter.value); });
+  add("diameter", [](const Listed_pair& pair) { return std::optional(pair.hole.diameter); });
   if(!has_measures(listing))
     return;
   const auto diameter = [](const std::optional<Listed_ball>& ball) {

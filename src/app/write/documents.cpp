@@ -182,19 +182,22 @@ Json json_of_waist(const Loop& curve, const Boundaries& boundaries, const Ground
   return {{"waist", json_of_line(*waist, on, {{"length", waist->length()}})}};
 }
 
-// How small a pair is, where its shorter loop lies, and how wide the handle is.
+// How small a pair is, where it lies, and how wide its hole is.
 Json json_of_place(const Listed_pair& pair) {
   const CGAL::Bbox_3& box = pair.box;
   Json json = {{"size", pair.size},
                {"centre", json_of_point(pair.centre)},
                {"box", Json::array({Json::array({box.xmin(), box.ymin(), box.zmin()}),
                                     Json::array({box.xmax(), box.ymax(), box.zmax()})})},
-               {"diameter", pair.diameter.value},
-               {"diameter_of", pair.diameter.of}};
-  if(const std::optional<Bore>& bore = pair.diameter.bore)
-    json["bore"] = {{"diameter", bore->diameter},
-                    {"centre", json_of_point(bore->center)},
-                    {"axis", json_of_vector(bore->axis)}};
+               {"diameter", pair.hole.diameter},
+               {"diameter_of", pair.hole.word()},
+               {"wall_diameter", pair.hole.wall_diameter}};
+  if(const std::optional<Bore>& bore = pair.hole.bore)
+    json["bore"] = {{"diameter", bore->diameter},         {"centre", json_of_point(bore->center)},
+                    {"axis", json_of_vector(bore->axis)}, {"depth", bore->length},
+                    {"deviation", bore->deviation},       {"drilling", bore->drilling}};
+  else
+    json["out_of_roundness"] = pair.hole.out_of_roundness;
   return json;
 }
 

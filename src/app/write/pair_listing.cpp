@@ -11,6 +11,7 @@
 
 #include "solve/details.h"
 
+#include <CGAL/Handle_tunnel_loops/Loop_shape.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -100,11 +101,6 @@ const Loop& shorter_loop(const Pair& pair, const CGAL::Bbox_3& box) {
                                                                                     : pair.tunnel();
 }
 
-Pair_diameter diameter_of(const Loop& shorter, const std::optional<Bore>& bore) {
-  return bore ? Pair_diameter{bore->diameter, "bore", bore}
-              : Pair_diameter{shorter.length() / CGAL_PI, name_of(shorter.type()), std::nullopt};
-}
-
 // Of which handle, among some of a report.
 template <typename Handle>
 std::optional<Handle> find_pair(const std::vector<Handle>& handles, std::size_t pair) {
@@ -114,6 +110,15 @@ std::optional<Handle> find_pair(const std::vector<Handle>& handles, std::size_t 
 }
 
 } // namespace
+
+Listed_hole hole_of(const Pair& pair, const std::optional<Bore>& bore) {
+  const double wall_diameter = pair.handle().length() / CGAL_PI;
+  if(bore)
+    return {bore->diameter, bore, 0., wall_diameter};
+  const auto circle = CGAL::loop_shape(pair.tunnel().points()).best_circle;
+  return {circle ? circle->diameter : 0., std::nullopt, circle ? circle->out_of_roundness : 0.,
+          wall_diameter};
+}
 
 Point middle_of(const CGAL::Bbox_3& box) {
   const auto middle = [&box](int i) { return box.min(i) / 2. + box.max(i) / 2.; };
@@ -128,13 +133,14 @@ Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bb
   const Pair& pair = answer.pairs[number];
   const Loop& shorter = shorter_loop(pair, box_of_mesh);
   const CGAL::Bbox_3 box = box_of(shorter.points());
+  const auto bore = number < answer.bores.size() ? answer.bores[number] : std::nullopt;
   return {number,
           pair.handle().length(),
           pair.tunnel().length(),
           relative_length(shorter, box_of_mesh),
-          middle_of(box),
+          bore ? bore->center : middle_of(box),
           box,
-          diameter_of(shorter, number < answer.bores.size() ? answer.bores[number] : std::nullopt),
+          hole_of(pair, bore),
           number < answer.measures.size() ? std::optional(listed(answer.measures[number]))
                                           : std::nullopt,
           number < answer.costs.size() ? std::optional(answer.costs[number]) : std::nullopt};

@@ -43,12 +43,15 @@ struct Listing_options
   std::optional<CGAL::Bbox_3> box; ///< in which one of the loops lies, one that is shorter
 };
 
-/// How wide a handle is: a bore, or else the shorter loop if it were a circle.
-struct Pair_diameter
+/// How wide the hole of a handle is: the bore, or else the circle that fits the tunnel loop best.
+struct Listed_hole
 {
-  double value;
-  const char* of; ///< "bore", "handle" or "tunnel"
+  double diameter;
   std::optional<Bore> bore;
+  double out_of_roundness; ///< of the tunnel loop: see `Loop_shape::Circle`; 0 for a bore
+  double wall_diameter;    ///< of a circle as long as the handle loop, around the wall beside it
+
+  const char* word() const { return bore ? "bore" : "hole"; }
 };
 
 /// A ball that can be threaded, without the curve along which it goes.
@@ -73,15 +76,18 @@ struct Listed_removal
   std::optional<Refused_handle> refused;
 };
 
+/// how wide the hole of a pair is, around which there is that bore, or none.
+Listed_hole hole_of(const Pair& pair, const std::optional<Bore>& bore);
+
 /// What is told of a pair beside the loops themselves.
 struct Listed_pair
 {
   std::size_t pair; ///< its number
   double handle_length, tunnel_length;
   double size;      ///< `size_of()`
-  Point centre;     ///< of the box of the shorter loop
+  Point centre;     ///< of the bore, or else of the box of the shorter loop
   CGAL::Bbox_3 box; ///< of the shorter loop
-  Pair_diameter diameter;
+  Listed_hole hole;
   std::optional<Listed_measure> measure;      ///< if it was taken
   std::optional<Costs::value_type> costs;     ///< of its removal, if they were asked for
   std::optional<Listed_removal> removal = {}; ///< if its handle was to be removed

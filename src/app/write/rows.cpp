@@ -49,13 +49,14 @@ void write_pair_row(Text& out, const Mesh_line& line, const Listed_pair& pair) {
     out << ',' << pair.box.min(i);
   for(int i = 0; i < 3; ++i)
     out << ',' << pair.box.max(i);
-  out << ',' << pair.diameter.value << ',' << pair.diameter.of;
-  for(int i = 0; i < 3; ++i) {
-    out << ',';
-    if(pair.diameter.bore)
-      out << pair.diameter.bore->axis[i];
-  }
-  out << ',' << line.answer.statistics.genus << ',';
+  const Listed_hole& hole = pair.hole;
+  out << ',' << hole.diameter << ',' << hole.word();
+  if(const auto& bore = hole.bore)
+    out << ',' << bore->axis[0] << ',' << bore->axis[1] << ',' << bore->axis[2] << ','
+        << bore->length << ',' << bore->deviation << ',';
+  else
+    out << ",,,,,," << hole.out_of_roundness;
+  out << ',' << hole.wall_diameter << ',' << line.answer.statistics.genus << ',';
 }
 
 void write_ball(Text& out, const std::optional<Listed_ball>& ball) {
@@ -144,8 +145,8 @@ Json json_of(const Mesh_line& line) {
   json["pairs"] = Json::array();
   for(const Listed_pair& pair : line.listing) {
     Json listed = {
-        {"pair", pair.pair}, {"handle", pair.handle_length},    {"tunnel", pair.tunnel_length},
-        {"size", pair.size}, {"diameter", pair.diameter.value}, {"diameter_of", pair.diameter.of}};
+        {"pair", pair.pair}, {"handle", pair.handle_length},   {"tunnel", pair.tunnel_length},
+        {"size", pair.size}, {"diameter", pair.hole.diameter}, {"diameter_of", pair.hole.word()}};
     if(pair.measure)
       add_measure(listed, *pair.measure);
     if(pair.costs)

@@ -23,7 +23,8 @@ namespace htloops {
 /// The header before rows of pairs, as RFC 4180 has it.
 constexpr char pair_header[] =
     "mesh,pair,handle_length,tunnel_length,size,handle_bounds,tunnel_bounds,"
-    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax,diameter,diameter_of,axis_x,axis_y,axis_z,genus,error";
+    "x,y,z,xmin,ymin,zmin,xmax,ymax,zmax,diameter,diameter_of,axis_x,axis_y,axis_z,"
+    "depth,deviation,out_of_roundness,wall_diameter,genus,error";
 
 /// What follows it on the line if handles were measured.
 constexpr char measure_header[] =

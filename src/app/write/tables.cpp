@@ -144,15 +144,21 @@ std::array<double, 3> without_rounding(const std::array<double, 3>& numbers, dou
   return result;
 }
 
-// Of what it is, with the axis of space that a bore is along, up to a quarter of a degree.
-std::string words_of(const Pair_diameter& diameter) {
+// What it is, with the axis of space that a bore is along, up to a quarter of a degree.
+std::string words_of(const Listed_hole& hole) {
   constexpr double cosine = 0.99999;
-  if(!diameter.bore)
-    return diameter.of;
+  if(!hole.bore)
+    return hole.word();
   for(int i = 0; i < 3; ++i)
-    if(std::abs(diameter.bore->axis[i]) > cosine)
-      return diameter.of + std::string(" along ") + "xyz"[i];
-  return diameter.of + std::string(", oblique");
+    if(std::abs(hole.bore->axis[i]) > cosine)
+      return hole.word() + std::string(" along ") + "xyz"[i];
+  return hole.word() + std::string(", oblique");
+}
+
+// How far it is from a cylinder, or the loop around it from a circle.
+std::string off_round(const Listed_hole& hole) {
+  return hole.bore ? formatted("%.2g", hole.bore->deviation)
+                   : formatted("%.2g%%", 100. * hole.out_of_roundness);
 }
 
 std::string centre_of(const Loop& curve) {
@@ -332,12 +338,21 @@ constexpr Table_column pair_columns[] = {
      10,
      true,
      {},
-     "The diameter of the round bore; otherwise that of a circle as long as the shorter loop"},
-    {"of",
-     14,
-     false,
+     "The diameter of the round bore; otherwise that of the circle that fits the tunnel loop best"},
+    {"of", 14, false, {}, "What the diameter measures: a bore, with its axis, or another hole"},
+    {"off round",
+     9,
+     true,
      {},
-     "What the diameter measures: a bore, with its axis, or the shorter loop"}};
+     "Of a bore, the largest deviation of its wall from a cylinder; of another hole, the largest "
+     "radius of its tunnel loop less the smallest one, over the diameter"},
+    {"depth", 8, true, {}, "The length of the bore along its axis"},
+    {"wall",
+     10,
+     true,
+     {},
+     "The diameter of a circle as long as the handle loop, which goes around the wall beside the "
+     "hole"}};
 
 constexpr Table_column measure_columns[] = {
     {"thickness",
@@ -358,8 +373,16 @@ constexpr Table_column cost_columns[] = {
     {"fill adds", 10, true, {}, "The volume that filling the hole adds to the solid"}};
 
 constexpr Table_column place_columns[] = {
-    {"center of shorter loop", 34, false, {}, "The center of the bounding box of the shorter loop"},
-    {"bounding box", 0, false, {}, "The extents of that bounding box along x, y and z"}};
+    {"center",
+     34,
+     false,
+     {},
+     "Of a bore, on its axis, in the middle; otherwise of the bounding box of the shorter loop"},
+    {"bounding box",
+     0,
+     false,
+     {},
+     "The extents of the bounding box of the shorter loop along x, y and z"}};
 
 } // namespace
 
@@ -400,8 +423,11 @@ std::vector<std::string> cells_of(const Listed_pair& pair, const Pair_columns& w
                                     formatted("%.6g", pair.handle_length),
                                     formatted("%.6g", pair.tunnel_length),
                                     formatted("%.3g%%", 100. * pair.size),
-                                    formatted("%.6g", pair.diameter.value),
-                                    words_of(pair.diameter)};
+                                    formatted("%.6g", pair.hole.diameter),
+                                    words_of(pair.hole),
+                                    off_round(pair.hole),
+                                    pair.hole.bore ? formatted("%.6g", pair.hole.bore->length) : "",
+                                    formatted("%.6g", pair.hole.wall_diameter)};
   if(wanted.measures)
     for(const auto ball : {&Listed_measure::thickness, &Listed_measure::clear_width})
       cells.push_back(pair.measure && (*pair.measure).*ball

@@ -29,11 +29,16 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace htloops {
 namespace {
@@ -196,8 +201,8 @@ std::string words_of_bores(const Remove_options& options,
     return "";
   std::vector<double> diameters;
   for(const Listed_pair& pair : list_pairs(mesh, answer))
-    if(pair.diameter.bore)
-      diameters.push_back(pair.diameter.value);
+    if(pair.hole.bore)
+      diameters.push_back(pair.hole.diameter);
   if(diameters.empty())
     return answer.pairs.empty() ? "there are no holes\n"
            : answer.pairs.size() == 1
@@ -208,6 +213,28 @@ std::string words_of_bores(const Remove_options& options,
          counted(diameters.size(), "round bore has", "round bores have") +
          (*least == *largest ? formatted(" diameter %.6g", *least)
                              : formatted(" diameters from %.6g to %.6g", *least, *largest)) +
+         "\n";
+}
+
+// Holes as wide as that which are left, as they are not round.
+std::string
+words_of_other_holes(const Remove_options& options, const Mesh& mesh, const Answer& answer) {
+  constexpr std::size_t most_named = 5;
+  if(options.bores.empty() || options.bores == ":")
+    return "";
+  const Removal_options wanted = removal_options(options, diagonal_of(mesh));
+  std::vector<std::string> holes;
+  for(const Listed_pair& pair : list_pairs(mesh, answer))
+    if(!pair.hole.bore && *wanted.minimal_bore_diameter <= pair.hole.diameter &&
+       pair.hole.diameter <= *wanted.maximal_bore_diameter)
+      holes.push_back(formatted("pair %zu, %.4g wide and %.2g%% off round", pair.pair,
+                                pair.hole.diameter, 100. * pair.hole.out_of_roundness));
+  if(holes.empty())
+    return "";
+  const std::size_t number = holes.size();
+  holes.resize((std::min)(number, most_named));
+  return "left, as no cylinder fits: " + boost::algorithm::join(holes, "; ") +
+         (number > most_named ? "; and " + std::to_string(number - most_named) + " more" : "") +
          "\n";
 }
 
@@ -281,6 +308,7 @@ void run(const Remove_options& options) {
     show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
                   words_of_noise(options, mesh, answer, removal.report) +
                   words_of_bores(options, mesh, answer, removal.report) +
+                  words_of_other_holes(options, mesh, answer) +
                   table_and_summary(options, told.report, options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
                   words_of_time(removal, loops_seconds, read_seconds) +

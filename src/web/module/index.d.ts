@@ -61,8 +61,17 @@ export interface Pair {
   centre: Point;
   box: [Point, Point];
   diameter?: number | null;
-  diameter_of?: 'bore' | 'handle' | 'tunnel';
-  bore?: { diameter: number; centre: Point; axis: Point };
+  diameter_of?: 'bore' | 'hole';
+  out_of_roundness?: number | null;
+  wall_diameter?: number | null;
+  bore?: {
+    diameter: number;
+    centre: Point;
+    axis: Point;
+    depth: number;
+    deviation: number;
+    drilling: number;
+  };
   /** With `measure`: the thickness of the handle, and the clear width of its hole. */
   thickness?: Ball;
   clear_width?: Ball;

@@ -101,6 +101,34 @@ TEST(Loop_shape, OfOthersHasNoCircle) {
   EXPECT_NEAR(shape.deviation, 0.1, 1e-12);
 }
 
+// However it is divided. The corners of polygons with more than five sides are on it.
+TEST(Loop_shape, OfOthersHasABestCircle) {
+  for(const int parts : {1, 9}) {
+    const auto square = CGAL::loop_shape(divided(polygon(4, 1.), parts)).best_circle;
+    ASSERT_TRUE(square);
+    const double mean = std::sqrt(0.5) * (std::sqrt(2.) + std::asinh(1.)) / 2.;
+    EXPECT_NEAR(square->diameter, 2. * mean, 1e-3);
+    EXPECT_NEAR(square->out_of_roundness, (1. - std::sqrt(0.5)) / (2. * mean), 1e-3);
+    std::vector<Point> ellipse = polygon(60, 1.);
+    for(Point& p : ellipse)
+      p = Point(1.1 * p.x(), 0.9 * p.y(), 0.);
+    const auto shape = CGAL::loop_shape(divided(ellipse, parts));
+    EXPECT_FALSE(shape.circle);
+    EXPECT_NEAR(shape.best_circle->diameter, 2., 0.02);
+    EXPECT_NEAR(shape.best_circle->out_of_roundness, 0.1, 2e-3);
+    const auto round = CGAL::loop_shape(divided(polygon(7, 1.), parts)).best_circle;
+    EXPECT_NEAR(round->diameter, 2., 1e-12);
+    EXPECT_NEAR(round->out_of_roundness, 0., 1e-12);
+  }
+  std::vector<Point> bent; // a slot that goes along a third of a circle, and is no part of that
+  for(const double radius : {10.5, 9.5})
+    for(int i = 0; i <= 40; ++i) {
+      const double angle = (radius > 10. ? i : 40 - i) * CGAL_PI / 60.;
+      bent.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.);
+    }
+  EXPECT_GT(CGAL::loop_shape(bent).best_circle->out_of_roundness, 0.4);
+}
+
 // A square with an uneven sampling: the centroid is that of the line, not of the points.
 TEST(Loop_shape, IsThatOfTheLineNotOfItsPoints) {
   const auto shape = CGAL::loop_shape(divided(polygon(4, 1.), 20));

@@ -13,8 +13,11 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <random>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace test_round_bores {
@@ -76,6 +79,33 @@ TEST_P(Bores_of_parts, HaveTheirDiameters) {
   }
 }
 
+double extent_along(const Mesh& mesh, const decltype(Bore::axis)& axis) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for(const Mesh::Point& p : mesh.points()) {
+    const double height = axis * (p - CGAL::ORIGIN);
+    least = (std::min)(least, height);
+    most = (std::max)(most, height);
+  }
+  return most - least;
+}
+
+// Also where other bores cut them into parts, which are of one drilling, then.
+TEST_P(Bores_of_parts, ReachFromEndToEnd) {
+  const Bored_part part = Bored_part_maker(GetParam())();
+  SCOPED_TRACE(part.kind);
+  for(const char* other : {"counterbores", "oblique", "keyways"})
+    if(part.kind.find(other) != std::string::npos)
+      return; // they are as long as their narrowest parts, or end askew, or are not round
+  std::set<std::size_t> drillings;
+  for(const Bore& bore : bores_of(part.mesh)) {
+    const double depth = extent_along(part.mesh, bore.axis);
+    EXPECT_NEAR(bore.length, depth, 1e-6 * depth);
+    EXPECT_LE(bore.deviation, 1e-6 * bore.diameter);
+    drillings.insert(bore.drilling);
+  }
+  EXPECT_LE(drillings.size(), part.diameters.size());
+}
+
 INSTANTIATE_TEST_SUITE_P(Generated, Bores_of_parts, testing::Range(0u, 60u));
 
 using Profile = std::vector<std::array<double, 2>>; // radius and height, anticlockwise
@@ -133,7 +163,7 @@ TEST(Round_bores, MayHaveSteps) {
 // What least squares divide by is rounding there, or zero.
 TEST(Fitted_circle, GoesThroughNoLine) {
   using Circle = htl::internal::Fitted_circle;
-  EXPECT_FALSE(Circle::through(std::vector<Circle::Point>(10, {1., 2.})));
+  EXPECT_FALSE(Circle::around(std::vector<Circle::Point>(10, {1., 2.})));
   std::mt19937 random(1);
   const auto draw = [&random] { return double(random()) / 4294967296. - 0.5; };
   for(int line = 0; line < 20000; ++line) {
@@ -143,7 +173,7 @@ TEST(Fitted_circle, GoesThroughNoLine) {
       const double t = line % 2 == 0 ? draw() : i % 3;
       points.emplace_back(x + t * u, y + t * v);
     }
-    EXPECT_FALSE(Circle::through(points)) << line;
+    EXPECT_FALSE(Circle::around(points)) << line;
   }
 }
 

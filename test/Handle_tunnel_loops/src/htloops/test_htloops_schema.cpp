@@ -133,11 +133,18 @@ TEST_F(Loops_schema, fits_bores_and_shapes) {
   EXPECT_EQ(pair["diameter_of"], "bore");
   EXPECT_NEAR(pair["bore"]["diameter"].get<double>(), 2., 1e-9);
   EXPECT_NEAR(pair["bore"]["axis"][2].get<double>(), 1., 1e-9);
+  EXPECT_NEAR(pair["bore"]["depth"].get<double>(), 1., 1e-9);
+  // On the axis, though the shorter loop goes around the wall beside the bore.
+  EXPECT_LT(pair["handle"]["length"], pair["tunnel"]["length"]);
+  for(int i = 0; i < 3; ++i)
+    EXPECT_NEAR(pair["centre"][i].get<double>(), i == 2 ? 0.5 : 0., 1e-9);
   EXPECT_NEAR(pair["tunnel"]["shape"]["circle"]["diameter"].get<double>(), 2., 1e-6);
   schema_.expect_refuses(document,
                          {[](json& d) { d["pairs"][0]["diameter_of"] = "drill"; },
                           [](json& d) { d["pairs"][0]["diameter"] = -1.; },
                           [](json& d) { d["pairs"][0]["bore"].erase("axis"); },
+                          [](json& d) { d["pairs"][0]["bore"]["depth"] = -1.; },
+                          [](json& d) { d["pairs"][0]["wall_diameter"] = -1.; },
                           [](json& d) { d["pairs"][0]["handle"]["shape"].erase("normal"); }});
 }
 

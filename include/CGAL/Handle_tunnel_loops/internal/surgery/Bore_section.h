@@ -35,6 +35,29 @@ struct Cylinder
   Simple_cartesian<double>::Point_3 center;
   Simple_cartesian<double>::Vector_3 axis;
   double diameter;
+  double length;    ///< along the axis
+  double deviation; ///< the largest distance of a corner of the wall
+  Index first_face; ///< the lowest number of a face of the wall
+
+  /// how far another one is off this one, if it was longer, at most.
+  double distance(const Cylinder& other) const {
+    const auto across = [this](const Simple_cartesian<double>::Vector_3& v) {
+      return std::sqrt(CGAL::cross_product(v, axis).squared_length());
+    };
+    return across(other.center - center) + across(other.axis) * other.length / 2. +
+           std::abs(other.diameter - diameter) / 2.;
+  }
+
+  /// adds what goes on along the same axis.
+  void extend(const Cylinder& other) {
+    deviation = (std::max)(deviation, other.deviation + distance(other));
+    const double middle = axis * (other.center - center),
+                 least = (std::min)(-length, 2. * middle - other.length) / 2.,
+                 most = (std::max)(length, 2. * middle + other.length) / 2.;
+    center = center + axis * ((least + most) / 2.);
+    length = most - least;
+    first_face = (std::min)(first_face, other.first_face);
+  }
 };
 
 /// as long as twice the area of a face; none for one that is too narrow to tell.
@@ -79,14 +102,17 @@ public:
       least = (std::min)(least, axis_ * p);
       most = (std::max)(most, axis_ * p);
     }
-    const std::optional<Fitted_circle> circle = Fitted_circle::through(points);
-    if(!circle)
+    const std::optional<Fitted_circle> circle = Fitted_circle::around(points);
+    if(!circle || !circle->is_round())
       return std::nullopt;
     const Vector center = plane.in_space(circle->center) + axis_ * ((least + most) / 2.);
     const Surgery_mesh::Point& origin = mesh_.point(corners.front());
     return Cylinder{{origin.x() + center.x(), origin.y() + center.y(), origin.z() + center.z()},
                     forward(axis_),
-                    2. * circle->radius};
+                    2. * circle->radius,
+                    most - least,
+                    circle->deviation(),
+                    faces_.front()};
   }
 
 private:

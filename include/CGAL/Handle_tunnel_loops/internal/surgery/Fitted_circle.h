@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -33,25 +34,53 @@ struct Fitted_circle
 
   Point center;
   double radius;
-  double deviation; ///< the largest distance of a point
+  double nearest, furthest; ///< the distances of points from the center
 
-  /// if the points are on it but for a hundredth of the radius, and go all around. Near linear.
-  static std::optional<Fitted_circle> through(const std::vector<Point>& points) {
-    constexpr double tolerance = 0.01;
+  double deviation() const { return (std::max)(furthest - radius, radius - nearest); }
+  double out_of_roundness() const { return (furthest - nearest) / (2. * radius); }
+
+  /// whether the points are on it but for a hundredth of the radius.
+  bool is_round() const { return deviation() <= 0.01 * radius; }
+
+  /// if the points go all around. Near linear.
+  static std::optional<Fitted_circle> around(const std::vector<Point>& points) {
     if(points.size() < 6)
       return std::nullopt;
     Fitted_circle circle = of_least_squares(points);
-    if(!std::isfinite(circle.radius)) // they are on a line
+    if(!std::isfinite(circle.radius) || !go_around(points, circle.center)) // or they are on a line
       return std::nullopt;
-    for(const Point& p : points)
-      circle.deviation =
-          (std::max)(circle.deviation,
-                     std::abs(std::sqrt(CGAL::squared_distance(p, circle.center)) - circle.radius));
-    const bool is_close = circle.deviation <= tolerance * circle.radius;
-    return is_close && go_around(points, circle.center) ? std::optional(circle) : std::nullopt;
+    circle.measure(points, [&](std::size_t i) { return points[i]; });
+    return circle;
+  }
+
+  /// about the centroid of a closed polyline, at the mean distance. Linear.
+  static Fitted_circle about_centroid(const std::vector<Point>& polyline) {
+    const auto side = [&](std::size_t i) {
+      return Kernel::Segment_2(polyline[i], polyline[i + 1 == polyline.size() ? 0 : i + 1]);
+    };
+    const auto mean = [&](const auto& f, auto sum) { // by Simpson's rule
+      double length = 0.;
+      for(std::size_t i = 0; i < polyline.size(); ++i) {
+        const Point &p = side(i).source(), &q = side(i).target();
+        const double size = std::sqrt(side(i).squared_length());
+        sum = sum + size / 6. * (f(p) + 4. * f(CGAL::midpoint(p, q)) + f(q));
+        length += size;
+      }
+      return sum / length;
+    };
+    Fitted_circle circle{Point(ORIGIN), 0., 0., 0.};
+    circle.center =
+        ORIGIN + mean([](const Point& p) { return p - ORIGIN; }, Kernel::Vector_2(NULL_VECTOR));
+    circle.radius = mean([&](const Point& p) { return distance(p, circle.center); }, 0.);
+    circle.measure(polyline, side);
+    return circle;
   }
 
 private:
+  template <typename Part> static double distance(const Part& part, const Point& p) {
+    return std::sqrt(CGAL::squared_distance(part, p));
+  }
+
   // Of x^2 + y^2 - a x - b y - c, about the centroid.
   static Fitted_circle of_least_squares(const std::vector<Point>& points) {
     const double number = static_cast<double>(points.size());
@@ -66,7 +95,17 @@ private:
     }
     const double determinant = 2. * (xx * yy - xy * xy);
     const double x = (xr * yy - yr * xy) / determinant, y = (yr * xx - xr * xy) / determinant;
-    return {Point(middle.x() + x, middle.y() + y), std::sqrt(r / number + x * x + y * y), 0.};
+    return {Point(middle.x() + x, middle.y() + y), std::sqrt(r / number + x * x + y * y), 0., 0.};
+  }
+
+  // The furthest of some points, and the nearest of what `part(i)` gives for each.
+  template <typename Function>
+  void measure(const std::vector<Point>& points, const Function& part) {
+    nearest = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      furthest = (std::max)(furthest, distance(points[i], center));
+      nearest = (std::min)(nearest, distance(part(i), center));
+    }
   }
 
   // As the corners of a hexagon do.

@@ -43,14 +43,14 @@ public:
   struct Circle
   {
     Point center;
-    double diameter, deviation;
+    double diameter, deviation, out_of_roundness;
   };
 
   Bbox_3 box;
   double length = 0., deviation = 0.;
   Point center;
   Vector normal = NULL_VECTOR;
-  std::optional<Circle> circle;
+  std::optional<Circle> circle, best_circle;
 
   explicit Polyline_shape(const std::vector<Point>& points)
       : box(CGAL::bbox_3(points.begin(), points.end())) {
@@ -59,7 +59,7 @@ public:
     measure();
     if(length > 0.) {
       find_plane();
-      find_circle();
+      find_circles();
     }
     move_back();
   }
@@ -117,13 +117,19 @@ private:
       deviation = (std::max)(deviation, std::abs((p - middle_) * normal));
   }
 
-  // Where it bends by more than 0.03 degrees.
-  std::vector<Fitted_circle::Point> corners(const Plane_axes& plane) const {
-    constexpr double sine = 5e-4;
+  // As they are seen along the normal, each once.
+  std::vector<Fitted_circle::Point> points_of(const Plane_axes& plane) const {
     std::vector<Fitted_circle::Point> points;
     for(const Vector& p : places_)
       if(const auto q = plane.seen(p - middle_); points.empty() || q != points.back())
         points.push_back(q);
+    return points;
+  }
+
+  // Where it bends by more than 0.03 degrees.
+  static std::vector<Fitted_circle::Point>
+  corners_among(const std::vector<Fitted_circle::Point>& points) {
+    constexpr double sine = 5e-4;
     std::vector<Fitted_circle::Point> corners;
     for(std::size_t i = 0, n = points.size(); i < n; ++i) {
       const auto in = points[i] - points[(i + n - 1) % n], out = points[(i + 1) % n] - points[i];
@@ -134,15 +140,24 @@ private:
     return corners;
   }
 
-  void find_circle() {
+  // The corners of a polygon around a bore lie on its circle. Of what has no corners all around, no
+  // part counts more than another.
+  void find_circles() {
     constexpr double tolerance = 0.01;
     const Plane_axes plane(normal);
-    const std::optional<Fitted_circle> found = Fitted_circle::through(corners(plane));
-    if(!found || deviation > tolerance * found->radius ||
-       length > (1. + tolerance) * 2. * CGAL_PI * found->radius)
-      return;
-    const Vector c = middle_ + plane.in_space(found->center);
-    circle = Circle{Point(c.x(), c.y(), c.z()), 2. * found->radius, found->deviation};
+    const std::vector<Fitted_circle::Point> points = points_of(plane);
+    const std::vector<Fitted_circle::Point> corners = corners_among(points);
+    const auto in_space = [&](const Fitted_circle& found) {
+      const Vector c = middle_ + plane.in_space(found.center);
+      return Circle{Point(c.x(), c.y(), c.z()), 2. * found.radius, found.deviation(),
+                    found.out_of_roundness()};
+    };
+    const std::optional<Fitted_circle> around = Fitted_circle::around(corners);
+    const bool is_corners_circle =
+        around && length <= (1. + tolerance) * 2. * CGAL_PI * around->radius;
+    best_circle = in_space(is_corners_circle ? *around : Fitted_circle::about_centroid(points));
+    if(is_corners_circle && around->is_round() && deviation <= tolerance * around->radius)
+      circle = best_circle;
   }
 
   Point in_space(const Vector& v) const {
@@ -153,11 +168,12 @@ private:
     length *= unit_;
     deviation *= unit_;
     center = in_space(middle_);
-    if(circle) {
-      circle->center = in_space(circle->center - Point(ORIGIN));
-      circle->diameter *= unit_;
-      circle->deviation *= unit_;
-    }
+    for(std::optional<Circle>* found : {&circle, &best_circle})
+      if(*found) {
+        (*found)->center = in_space((*found)->center - Point(ORIGIN));
+        (*found)->diameter *= unit_;
+        (*found)->deviation *= unit_;
+      }
     places_.clear();
   }
 

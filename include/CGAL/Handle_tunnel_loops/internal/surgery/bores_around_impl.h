@@ -38,6 +38,17 @@ inline std::optional<Cylinder> narrowest_cylinder(const Surgery_mesh& mesh,
   return narrowest;
 }
 
+/// with all that goes on along the same axis beyond the bores that it meets, but for a hundredth of
+/// the diameter, by which a bore may fail to be round, too.
+inline Cylinder drilling(const Surgery_mesh& mesh, const Cylinder& part, const Cut_region& wall) {
+  Cylinder all = part;
+  for(const Bore_section& section : Wall_sections(mesh, wall.faces())())
+    if(const std::optional<Cylinder> cylinder = section.cylinder();
+       cylinder && part.distance(*cylinder) <= 0.01 * part.diameter)
+      all.extend(*cylinder);
+  return all;
+}
+
 /// beside a loop, or else beside the shortest walk along it.
 inline std::optional<Curve_off_vertices> curve_along(const Surgery_mesh& mesh,
                                                      const std::vector<Place_on_edge>& places) {
@@ -64,6 +75,8 @@ bores_around(Execution execution,
         const auto walls = Bore_search(mesh, pieces).walls_at(*curve);
         if(const auto& wall = walls.alone ? walls.alone : walls.joined)
           bores[i] = narrowest_cylinder(mesh, *wall);
+        if(bores[i] && walls.joined)
+          bores[i] = drilling(mesh, *bores[i], *walls.joined);
       },
       1);
   return bores;
