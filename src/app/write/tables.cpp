@@ -12,6 +12,8 @@
 #include "words.h"
 #include "write/files.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -452,6 +454,21 @@ std::string three_digits(double number) {
   return formatted("%.*f", digits, number);
 }
 
+// Where bores are in parts: those that are listed, each once.
+std::string words_of_drillings(const Pair_listing& listing) {
+  std::map<std::size_t, std::vector<std::string>> pairs; // by drilling
+  for(const Listed_pair& pair : listing)
+    if(const auto& bore = pair.hole.bore)
+      pairs[bore->drilling].push_back(std::to_string(pair.pair));
+  std::string parts;
+  for(const auto& [drilling, numbers] : pairs)
+    if(numbers.size() > 1)
+      parts += (parts.empty() ? "" : "; ") + boost::algorithm::join(numbers, ", ");
+  return parts.empty() ? ""
+                       : counted(pairs.size(), "bore", "bores") +
+                             ", some of which others cut into parts: pairs " + parts + "\n";
+}
+
 // The reasons, each once, with the number of pairs that it stands for.
 std::string why_not_measured(const Pair_listing& listing) {
   std::map<std::string, std::size_t> count;
@@ -468,7 +485,7 @@ std::string table_of_pairs(const Pair_listing& listing, const Table_options& opt
   const Pair_columns columns(listing);
   return table(columns_of(columns), listing.size(), options,
                [&](std::size_t i) { return cells_of(listing[i], columns); }) +
-         why_not_measured(listing);
+         words_of_drillings(listing) + why_not_measured(listing);
 }
 
 std::string words_of_unit(Unit unit) {
