@@ -59,6 +59,7 @@ struct Clean_record
   Clean_step step;
   std::size_t count = 0; ///< of what it did
   std::vector<std::string> done = {}, left = {};
+  std::size_t undecided = 0; ///< handles of which it is not known whether they were to be removed
 };
 
 /// What a mesh is.

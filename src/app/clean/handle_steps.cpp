@@ -73,13 +73,11 @@ std::vector<std::size_t> pairs_of_noise(
     const Mesh& mesh, const Pairs& pairs, double below, Clean_record& record, Progress& progress) {
   constexpr double precision = 0.01;
   const Measures measures = find_measures(mesh, pairs, precision, progress);
-  std::vector<std::size_t> numbers;
-  for(std::size_t i = 0; i < measures.size(); ++i)
-    if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
-      numbers.push_back(i);
-    else if(!noise)
-      record.left.push_back("a handle was not measured: " + measures[i].why);
-  return numbers;
+  const Noisy_pairs noisy = noisy_pairs(pairs, measures, below);
+  record.undecided = noisy.undecided.size();
+  for(std::size_t i : noisy.undecided)
+    record.left.push_back("a handle: " + words_of_doubt(measures[i], pairs[i]));
+  return noisy.below;
 }
 
 // Which of them are meant, nobody can tell.

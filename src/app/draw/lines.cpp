@@ -112,10 +112,10 @@ std::string label_of(const Listed_pair& listed, Loop_type type) {
   const bool is_handle = type == Loop_type::HANDLE, is_bore = listed.hole.bore.has_value(),
              is_shorter = is_handle == (listed.handle_length <= listed.tunnel_length);
   if(const auto& measure = listed.measure) {
-    if(const auto& ball = measure->thickness; ball && is_handle)
-      return number + three_digits(ball->diameter) + " thick";
+    if(measure->thickness && is_handle)
+      return number + words_of(measure->thickness_range, three_digits) + " thick";
     if(const auto& ball = measure->clear_width; ball && !is_bore && !is_handle)
-      return number + three_digits(ball->diameter) + " wide";
+      return number + words_of(measure->clear_width_range, three_digits) + " wide";
   }
   if(is_bore ? !is_handle : is_shorter && !listed.measure)
     return number +

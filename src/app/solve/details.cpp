@@ -9,8 +9,11 @@
 
 #include "solve/details.h"
 
+#include "words.h"
+
 #include <CGAL/Handle_tunnel_loops/round_bores.h>
 #include <CGAL/handle_measures.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/removal_costs.h>
 #include <CGAL/tags.h>
 
@@ -45,11 +48,35 @@ Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress) {
   return costs;
 }
 
-std::optional<double> noise_of(const Measure& measure) {
-  const auto &in = measure.thickness, &out = measure.clear_width;
-  if(in && out)
-    return (std::min)(in->diameter, out->diameter);
-  return in ? std::optional(in->diameter) : out ? std::optional(out->diameter) : std::nullopt;
+Range_of_diameters range_of(const std::optional<Ball>& ball, const Loop& around) {
+  const double most = around.length() / CGAL_PI;
+  if(!ball)
+    return {0., most};
+  return {(std::max)(0., ball->diameter - ball->error),
+          (std::min)(most, ball->diameter + ball->error)};
+}
+
+Range_of_diameters noise_of(const Measure& measure, const Pair& pair) {
+  const Range_of_diameters in = range_of(measure.thickness, pair.handle()),
+                           out = range_of(measure.clear_width, pair.tunnel());
+  return {(std::min)(in.least, out.least), (std::min)(in.most, out.most)};
+}
+
+Noisy_pairs noisy_pairs(const Pairs& pairs, const Measures& measures, double below) {
+  Noisy_pairs noisy;
+  for(std::size_t i = 0; i < measures.size(); ++i)
+    if(const auto [least, most] = noise_of(measures[i], pairs[i]); most < below)
+      noisy.below.push_back(i);
+    else if(least < below)
+      noisy.undecided.push_back(i);
+  return noisy;
+}
+
+std::string words_of_doubt(const Measure& measure, const Pair& pair) {
+  const auto [least, most] = noise_of(measure, pair);
+  return formatted("the smaller of its thickness and clear width is between %.4g and %.4g", least,
+                   most) +
+         (measure.why.empty() ? "" : ": " + measure.why);
 }
 
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer) {

@@ -13,7 +13,10 @@
 #include "solve/answer.h"
 #include "solve/progress.h"
 
+#include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace htloops {
 
@@ -26,8 +29,30 @@ Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, P
 /// what either way to remove each handle would change, of each by itself.
 Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress);
 
-/// the smaller of thickness and clear width, as far as they are known; none if neither is.
-std::optional<double> noise_of(const Measure& measure);
+/// What is known of the diameter of a ball.
+struct Range_of_diameters
+{
+  double least, most;
+};
+
+/// of a ball that was measured. One that was not is no wider than a circle as long as a loop that
+/// goes around its way, as any ball is.
+Range_of_diameters range_of(const std::optional<Ball>& ball, const Loop& around);
+
+/// the smaller of thickness and clear width.
+Range_of_diameters noise_of(const Measure& measure, const Pair& pair);
+
+/// Pairs of which the smaller of thickness and clear width is below a length, and those of which it
+/// may be, as far as is known.
+struct Noisy_pairs
+{
+  std::vector<std::size_t> below, undecided;
+};
+
+Noisy_pairs noisy_pairs(const Pairs& pairs, const Measures& measures, double below);
+
+/// between what the smaller of thickness and clear width is, and why no more is known.
+std::string words_of_doubt(const Measure& measure, const Pair& pair);
 
 /// looks for what is told of a mesh with its loops: boundary curves, if it has some, and bores.
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer);

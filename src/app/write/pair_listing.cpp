@@ -9,8 +9,6 @@
 
 #include "write/pair_listing.h"
 
-#include "solve/details.h"
-
 #include <CGAL/Handle_tunnel_loops/Loop_shape.h>
 #include <CGAL/number_utils.h>
 
@@ -46,8 +44,7 @@ bool is_wanted(const Pair& pair, const Listing_options& options) {
 }
 
 double noise_or_infinity(const Listed_pair& pair) {
-  return pair.measure && pair.measure->noise ? *pair.measure->noise
-                                             : (std::numeric_limits<double>::infinity)();
+  return pair.measure ? pair.measure->noise.most : (std::numeric_limits<double>::infinity)();
 }
 
 bool precedes(const Listed_pair& a, const Listed_pair& b, Pair_order order) {
@@ -92,8 +89,13 @@ std::optional<Listed_ball> listed(const std::optional<Ball>& ball) {
               : std::nullopt;
 }
 
-Listed_measure listed(const Measure& measure) {
-  return {listed(measure.thickness), listed(measure.clear_width), noise_of(measure), measure.why};
+Listed_measure listed(const Measure& measure, const Pair& pair) {
+  return {listed(measure.thickness),
+          listed(measure.clear_width),
+          range_of(measure.thickness, pair.handle()),
+          range_of(measure.clear_width, pair.tunnel()),
+          noise_of(measure, pair),
+          measure.why};
 }
 
 const Loop& shorter_loop(const Pair& pair, const CGAL::Bbox_3& box) {
@@ -141,7 +143,7 @@ Listed_pair listed_pair(const Answer& answer, std::size_t number, const CGAL::Bb
           bore ? bore->center : middle_of(box),
           box,
           hole_of(pair, bore),
-          number < answer.measures.size() ? std::optional(listed(answer.measures[number]))
+          number < answer.measures.size() ? std::optional(listed(answer.measures[number], pair))
                                           : std::nullopt,
           number < answer.costs.size() ? std::optional(answer.costs[number]) : std::nullopt};
 }
@@ -167,8 +169,9 @@ Pair_listing list_pairs(const Mesh& mesh, const Answer& answer, const Listing_op
       listing.push_back(listed_pair(answer, i, box));
   if(!std::isinf(options.noise_below))
     listing.erase(std::remove_if(listing.begin(), listing.end(),
-                                 [&](const Listed_pair& pair) {
-                                   return !(noise_or_infinity(pair) < options.noise_below);
+                                 [&](const Listed_pair& pair) { // surely not below it
+                                   return !pair.measure ||
+                                          pair.measure->noise.least >= options.noise_below;
                                  }),
                   listing.end());
   std::sort(listing.begin(), listing.end(), [&](const Listed_pair& a, const Listed_pair& b) {

@@ -12,6 +12,7 @@
 
 #include "mesh_types.h"
 #include "solve/answer.h"
+#include "solve/details.h"
 #include "solve/removal_solver.h"
 
 #include <CGAL/Bbox_3.h>
@@ -65,7 +66,7 @@ struct Listed_ball
 struct Listed_measure
 {
   std::optional<Listed_ball> thickness, clear_width;
-  std::optional<double> noise; ///< `noise_of()`
+  Range_of_diameters thickness_range, clear_width_range, noise; ///< `noise_of()`
   std::string why;
 };
 

@@ -174,14 +174,17 @@ std::string padded(const std::string& name, int width) {
 }
 
 // In words; a dash if there is none.
-std::string least_diameter(const Pair_listing& listing,
-                           std::optional<Listed_ball> Listed_measure::*ball) {
-  std::optional<double> least;
+std::string least_diameter(const Pair_listing& listing, Range_of_diameters Listed_measure::*range) {
+  std::optional<Range_of_diameters> least;
   for(const Listed_pair& pair : listing)
-    if(pair.measure && (*pair.measure).*ball)
-      if(const double diameter = ((*pair.measure).*ball)->diameter; !least || diameter < *least)
-        least = diameter;
-  return least ? formatted("%.4g", *least) : "-";
+    if(pair.measure) {
+      const auto& [low, high] = (*pair.measure).*range;
+      least = least
+                  ? Range_of_diameters{(std::min)(least->least, low), (std::min)(least->most, high)}
+                  : Range_of_diameters{low, high};
+    }
+  const auto print = [](double diameter) { return formatted("%.3g", diameter); };
+  return least ? words_of(*least, print) : "-";
 }
 
 } // namespace
@@ -233,7 +236,7 @@ std::string header_of_lines(const std::vector<std::string>& mesh_files, Row_kind
   return padded("mesh", width_of(mesh_files)) +
          formatted("  %9s  %6s  %6s  %6s  %9s  %9s", "faces", "comp.", "bound.", "genus",
                    "smallest", "largest") +
-         (has_measures(kind) ? formatted("  %9s  %9s", "thinnest", "narrowest") : "") +
+         (has_measures(kind) ? formatted("  %14s  %14s", "thinnest", "narrowest") : "") +
          formatted("  %8s\n", "seconds");
 }
 
@@ -253,9 +256,9 @@ row_of(const Mesh_line& line, const std::vector<std::string>& mesh_files, Row_ki
                    statistics.number_of_components, statistics.number_of_boundaries,
                    statistics.genus, size(least).c_str(), size(most).c_str()) +
          (has_measures(kind)
-              ? formatted("  %9s  %9s",
-                          least_diameter(line.listing, &Listed_measure::thickness).c_str(),
-                          least_diameter(line.listing, &Listed_measure::clear_width).c_str())
+              ? formatted("  %14s  %14s",
+                          least_diameter(line.listing, &Listed_measure::thickness_range).c_str(),
+                          least_diameter(line.listing, &Listed_measure::clear_width_range).c_str())
               : "") +
          formatted("  %8.2f\n", line.read_seconds + line.answer.total_seconds);
 }

@@ -358,12 +358,12 @@ constexpr Table_column pair_columns[] = {
 
 constexpr Table_column measure_columns[] = {
     {"thickness",
-     10,
+     14,
      true,
      {},
      "The diameter of the largest ball that can move around the handle inside the solid"},
     {"clear width",
-     11,
+     14,
      true,
      {},
      "The diameter of the largest ball that can pass through the hole"}};
@@ -431,9 +431,10 @@ std::vector<std::string> cells_of(const Listed_pair& pair, const Pair_columns& w
                                     pair.hole.bore ? formatted("%.6g", pair.hole.bore->length) : "",
                                     formatted("%.6g", pair.hole.wall_diameter)};
   if(wanted.measures)
-    for(const auto ball : {&Listed_measure::thickness, &Listed_measure::clear_width})
-      cells.push_back(pair.measure && (*pair.measure).*ball
-                          ? formatted("%.4g", ((*pair.measure).*ball)->diameter)
+    for(const auto range : {&Listed_measure::thickness_range, &Listed_measure::clear_width_range})
+      cells.push_back(pair.measure
+                          ? words_of((*pair.measure).*range,
+                                     [](double diameter) { return formatted("%.4g", diameter); })
                           : "");
   if(wanted.costs)
     add_costs(pair.costs, cells);

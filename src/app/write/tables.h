@@ -87,6 +87,14 @@ bool has_measures(const Pair_listing& listing);
 /// a positive number with three digits that count: 6.00, 12.0, 120.
 std::string three_digits(double number);
 
+/// a diameter that is known up to a hundredth, or else between what it is, as printed by \p print.
+template <typename Print>
+std::string words_of(const Range_of_diameters& range, const Print& print) {
+  return range.most - range.least <= 0.02 * range.most
+             ? print((range.least + range.most) / 2.)
+             : print(range.least) + " to " + print(range.most);
+}
+
 /// a table of pairs for a person: how long the loops are, and where the handles are.
 std::string table_of_pairs(const Pair_listing& listing, const Table_options& options);
 

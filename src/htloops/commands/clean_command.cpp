@@ -194,6 +194,9 @@ void run(const Clean_command_options& options) {
   if(const std::string words = words_of_missed_genus(options.genus, result.after.genus);
      !words.empty())
     missed += (missed.empty() ? "" : ", and ") + words;
+  for(const Clean_record& record : result.records)
+    if(record.undecided > 0)
+      missed += (missed.empty() ? "" : ", and ") + words_of_undecided(record.undecided);
   if(!missed.empty())
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
                   missed + (options.is_dry_run ? "" : "; it was written all the same"));

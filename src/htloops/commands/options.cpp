@@ -593,6 +593,11 @@ void require_none(const std::string& loops_file, const std::vector<std::string>&
                   printable(loops_file) + " fails its certificate:" + indented(problems));
 }
 
+std::string words_of_undecided(std::size_t number) {
+  return "it is undecided whether " + counted(number, "handle is", "handles are") +
+         " below --noise-below";
+}
+
 std::string words_of_missed_genus(const std::optional<std::size_t>& wanted, std::size_t genus) {
   return !wanted || genus <= *wanted
              ? ""

@@ -233,6 +233,9 @@ void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options
 /// that more handles are left than `--genus` asks for; empty if there are not.
 std::string words_of_missed_genus(const std::optional<std::size_t>& wanted, std::size_t genus);
 
+/// says that so many handles may be below `--noise-below`.
+std::string words_of_undecided(std::size_t number);
+
 /// the lines, indented, each after a line break; not too many of them.
 std::string indented(const std::vector<std::string>& lines);
 

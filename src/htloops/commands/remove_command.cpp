@@ -79,23 +79,24 @@ Answer answer_of(const Mesh& mesh, const Remove_options& options, bool show_prog
   return answer;
 }
 
-// Those with a measure below a length, by number.
-std::vector<std::size_t> pairs_of_noise(const Measures& measures, double below) {
-  std::vector<std::size_t> numbers;
-  for(std::size_t i = 0; i < measures.size(); ++i)
-    if(const std::optional<double> noise = noise_of(measures[i]); noise && *noise < below)
-      numbers.push_back(i);
-    else if(!noise)
-      std::fprintf(stderr, "htloops: pair %zu is kept because it could not be measured: %s\n", i,
-                   measures[i].why.c_str());
-  return numbers;
+// For `--noise-below`; what is undecided is told.
+std::optional<Noisy_pairs>
+pairs_of_noise(const Mesh& mesh, const Answer& answer, const Remove_options& options) {
+  const auto length = parse_length("--noise-below", options.noise_below, diagonal_of(mesh));
+  if(!length)
+    return std::nullopt;
+  Noisy_pairs noisy = noisy_pairs(answer.pairs, answer.measures, *length);
+  for(std::size_t i : noisy.undecided)
+    std::fprintf(stderr, "htloops: pair %zu is kept: %s\n", i,
+                 words_of_doubt(answer.measures[i], answer.pairs[i]).c_str());
+  return noisy;
 }
 
-Removal_options wish(const Mesh& mesh, const Answer& answer, const Remove_options& options) {
-  const double diagonal = diagonal_of(mesh);
-  Removal_options removal = removal_options(options, diagonal);
-  if(const auto length = parse_length("--noise-below", options.noise_below, diagonal))
-    removal.pairs = pairs_of_noise(answer.measures, *length);
+Removal_options
+wish(const Mesh& mesh, const Remove_options& options, const std::optional<Noisy_pairs>& noisy) {
+  Removal_options removal = removal_options(options, diagonal_of(mesh));
+  if(noisy)
+    removal.pairs = noisy->below;
   return removal;
 }
 
@@ -183,13 +184,18 @@ std::string words_of_noise(const Remove_options& options,
   const auto length = parse_length("--noise-below", options.noise_below, diagonal_of(mesh));
   if(!length || !has_chosen_none(report))
     return "";
-  std::optional<double> least;
-  for(const Measure& measure : answer.measures)
-    if(const std::optional<double> noise = noise_of(measure); noise && (!least || *noise < *least))
-      least = noise;
-  return "--noise-below " + options.noise_below +
-         formatted(" is %.4g in the unit of the mesh", *length) +
-         (least ? formatted("; the smallest thickness or clear width is %.4g", *least) : "") + "\n";
+  std::string text = "--noise-below " + options.noise_below +
+                     formatted(" is %.4g in the unit of the mesh", *length);
+  if(!answer.pairs.empty()) {
+    Range_of_diameters all = noise_of(answer.measures[0], answer.pairs[0]);
+    for(std::size_t i = 1; i < answer.pairs.size(); ++i) {
+      const auto [least, most] = noise_of(answer.measures[i], answer.pairs[i]);
+      all = {(std::min)(all.least, least), (std::min)(all.most, most)};
+    }
+    text += "; the smallest thickness or clear width is " +
+            words_of(all, [](double diameter) { return formatted("%.4g", diameter); });
+  }
+  return text + "\n";
 }
 
 // Where no bore was in the range: which there are.
@@ -260,10 +266,14 @@ table_and_summary(const Remove_options& options, const Removal_report& report, b
               : "");
 }
 
-// What was asked for by number is either reached, or said not to be.
-void check_genus(const Remove_options& options, const Removal_report& report) {
-  if(const std::string missed = words_of_missed_genus(options.genus, report.genus_after);
-     !missed.empty())
+// What was asked for by number or length is either reached, or said not to be.
+void check_all_done(const Remove_options& options,
+                    const Removal_report& report,
+                    const std::optional<Noisy_pairs>& noisy) {
+  std::string missed = words_of_missed_genus(options.genus, report.genus_after);
+  if(noisy && !noisy->undecided.empty())
+    missed += (missed.empty() ? "" : ", and ") + words_of_undecided(noisy->undecided.size());
+  if(!missed.empty())
     throw Failure(Exit_code::UNACCEPTABLE_MESH,
                   missed + (options.is_dry_run ? "" : "; the mesh was written all the same"));
 }
@@ -290,8 +300,9 @@ void run(const Remove_options& options) {
   answer.unit = mended.facts.unit;
   const double loops_seconds = loops_stopwatch.seconds();
   Progress_bar bar(show_progress);
+  const std::optional<Noisy_pairs> noisy = pairs_of_noise(mesh, answer, options);
   const Removal_answer removal =
-      remove_handles(mesh, answer.pairs, wish(mesh, answer, options), bar);
+      remove_handles(mesh, answer.pairs, wish(mesh, options, noisy), bar);
   const Told_removal told = htloops::told(mesh, answer, removal.report, options);
   if(!has_choice(options) && !options.is_dry_run)
     ask_for_choice(options, told.report);
@@ -314,7 +325,7 @@ void run(const Remove_options& options) {
                   words_of_time(removal, loops_seconds, read_seconds) +
                   (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
               is_output_taken(options));
-  check_genus(options, removal.report);
+  check_all_done(options, removal.report, noisy);
 }
 
 constexpr char remove_description[] = R"(Removes handles of a triangle mesh.
