@@ -9,6 +9,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Loop_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
@@ -243,6 +244,44 @@ struct Wire
 
   static constexpr double pi = 3.14159265358979323846;
 };
+
+// The room in a cone over a loop, looked at in many places, is no more than that, and nearly as
+// much.
+TEST(Loop_caps, BoundTheRoomInThem) {
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    const Wire wire;
+    std::vector<impl::Vector> loop;
+    const double size = seed % 2 == 0 ? 3. * Wire::radius : 2. * Wire::out;
+    for(int k = 0; k < 9; ++k) {
+      const double a = 2. * Wire::pi * k / 9.;
+      loop.push_back(impl::Vector{seed % 2 == 0 ? 0. : Wire::radius, 0., 0.} +
+                     size * random.uniform(0.5, 1.) *
+                         impl::Vector{std::cos(a), std::sin(a), random.uniform(-0.2, 0.2)});
+    }
+    const double bound = impl::Loop_caps(wire.faces, 0.01).largest_radius(loop);
+    impl::Vector middle = {0., 0., 0.};
+    double length = 0.;
+    const auto next = [&](std::size_t i) { return loop[(i + 1) % loop.size()]; };
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const double side = impl::norm(next(i) - loop[i]);
+      middle = middle + 0.5 * side * (loop[i] + next(i));
+      length += side;
+    }
+    middle = (1. / length) * middle;
+    double room = 0.;
+    constexpr int n = 60;
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      for(int j = 0; j <= n; ++j)
+        for(int k = 0; j + k <= n; ++k)
+          room = (std::max)(room, wire.clearance.at((1. - double(j + k) / n) * middle +
+                                                        (double(j) / n) * loop[i] +
+                                                        (double(k) / n) * next(i),
+                                                    4.));
+    EXPECT_GE(bound, (1. - 1e-12) * room);
+    EXPECT_LE(bound, 1.05 * room);
+  }
+}
 
 TEST(Pushed_loops, FindTheWayInAThinWire) {
   const Wire wire;

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Leaking_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Loop_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Surface_points.h>
@@ -31,12 +32,11 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -49,11 +49,15 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /*!
 Finds the largest balls that can be led through holes and around handles.
 
-Points on the surface are no nearer to a ball than the surface is: so the widest cycles among the
-points (`Widest_cycles`) are at least as wide as those of the surface, one by one, as long as no
-cycle slips between points through a loop. That is one bound. The other is a cycle itself, if balls
-of nearly its radius fit all along it (`Clearance`). Where the bounds differ, cycles slip through
-the surface between points that are too far apart: more are taken all along where they do
+What is led through a loop passes any cap of it: that is one bound (`Loop_caps`). As many cycles as
+are independent are linked with as many loops, so the k-th of them is no wider than the k-th of
+these bounds. The other bound is a cycle itself, if balls of nearly its radius fit all along it
+(`Clearance`), as beside the loops there are some (`Pushed_loops`).
+
+Where these differ, points on the surface are no nearer to a ball than the surface is: so the widest
+cycles among the points (`Widest_cycles`) are at least as wide as those of the surface, one by one,
+as long as no cycle slips between points through a loop. Where the bounds still differ, cycles slip
+through the surface between points that are too far apart: more are taken all along where they do
 (`Leaking_edges`). So it goes on until the bounds agree.
 */
 class Handle_measurer
@@ -85,6 +89,10 @@ public:
   Flat_measures measure() {
     if(loops_.empty())
       return {};
+    find_caps();
+    take_pushed_loops();
+    if(are_all_wide() && !is_any_narrow())
+      return assign();
     for(std::size_t l = 0; l < loops_.size(); ++l)
       refine_along(l);
     points_.refine(execution_, std::exchange(requests_, {}));
@@ -231,14 +239,25 @@ private:
 
   // ---- cycles
 
+  void find_caps() {
+    const Loop_caps caps(faces_, gap_ / 8.);
+    cap_of_.resize(loops_.size());
+    for_each_index(
+        execution_, loops_.size(),
+        [&](std::size_t l) { cap_of_[l] = caps.largest_radius(loops_[l]); }, 1);
+    caps_ = cap_of_;
+    std::sort(caps_.begin(), caps_.end(), std::greater<>());
+    most_ = caps_;
+  }
+
   // The widest among the points tell how wide cycles are at most. Where none is known that is as
   // wide, others are looked for that do not cross the surface, and are wide as that is seen.
   void find_cycles(Voronoi_graph& graph) {
     Edge_names names(graph, linked_);
     auto cycles = widest_cycles(graph, names, &Voronoi_graph::Edge::radius);
     most_.clear();
-    for(const Widest_cycle& cycle : cycles)
-      most_.push_back(cycle.radius);
+    for(std::size_t i = 0; i < cycles.size(); ++i)
+      most_.push_back((std::min)(cycles[i].radius, caps_[i]));
     leaks_.clear();
     judge();
     if(cycles_.size() < most_.size() || is_any_narrow())
@@ -252,8 +271,6 @@ private:
     for(const Widest_cycle& cycle : others)
       seen.push_back({cycle.radius, cycle.row});
     take(std::move(others));
-    if(!are_all_wide() && !std::exchange(are_loops_pushed_, true))
-      take_pushed_loops();
     find_leaks(graph, names, seen);
   }
 
@@ -279,17 +296,12 @@ private:
         execution_, walks.size(),
         [&](std::size_t i) {
           const std::size_t loop = i / 2, partner = loop ^ 1;
-          walks[i] = pushed.find(loops_[loop], i % 2 != 0,
-                                 lengths_[partner] / boost::math::constants::two_pi<double>());
+          walks[i] = pushed.find(loops_[loop], i % 2 != 0, cap_of_[partner]);
         },
         1);
-    Linking_rank known;
-    for(std::size_t i = 0; i < cycles_.size(); ++i)
-      if(trials_[i].is_wide)
-        known.add(cycles_[i].row);
     std::vector<Widest_cycle> cycles;
     for(std::optional<Widest_cycle>& walk : walks)
-      if(walk && known.add(walk->row))
+      if(walk && !walk->row.empty())
         cycles.push_back(*std::move(walk));
     std::vector<Cycle_trial> found(cycles.size());
     for_each_index(
@@ -522,11 +534,12 @@ private:
   Linked_segments linked_;
   Cycle_trials tries_;
   std::size_t places_;
-  bool are_loops_pushed_ = false;
   int effort_ = 0;                // rounds in which little was added
   double area_ = 0., sides_ = 0.; // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
+  std::vector<double> cap_of_;      // by loop, the radius of what is led through it at most
+  std::vector<double> caps_;        // the same, the largest first
   std::vector<double> most_;        // by cycle, its radius at most
   std::vector<Cycle_trial> trials_; // by cycle
   std::vector<Leak> leaks_;
