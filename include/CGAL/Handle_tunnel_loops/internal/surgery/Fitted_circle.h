@@ -61,9 +61,11 @@ struct Fitted_circle
     const auto mean = [&](const auto& f, auto sum) { // by Simpson's rule
       double length = 0.;
       for(std::size_t i = 0; i < polyline.size(); ++i) {
-        const Point &p = side(i).source(), &q = side(i).target();
-        const double size = std::sqrt(side(i).squared_length());
-        sum = sum + size / 6. * (f(p) + 4. * f(CGAL::midpoint(p, q)) + f(q));
+        const Kernel::Segment_2 part = side(i);
+        const double size = std::sqrt(part.squared_length());
+        sum = sum + size / 6. *
+                        (f(part.source()) + 4. * f(CGAL::midpoint(part.source(), part.target())) +
+                         f(part.target()));
         length += size;
       }
       return sum / length;
