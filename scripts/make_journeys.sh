@@ -89,9 +89,7 @@ as_off solid.stl
 draw section "$pictures/journey_model.png" model.off solid.off
 
 # Who paints textures.
-htloops cut cup.obj --seams seams.py --uv charts.obj --picture seams.png --size 400,330
-draw chart chart.png charts.obj
-draw beside "$pictures/journey_cup.png" seams.png chart.png
+htloops cut cup.obj --seams seams.py --picture "$pictures/journey_cup.png" --size 400,330
 
 # Who maps a cortex.
 htloops generate scan --genus 0 --bridges 8 --tunnels 8 -o lh.orig.nofix

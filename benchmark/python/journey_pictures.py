@@ -3,7 +3,6 @@
     python3 benchmark/python/journey_pictures.py beside OUT.png PICTURE...
     python3 benchmark/python/journey_pictures.py section OUT.png BEFORE.off AFTER.off
     python3 benchmark/python/journey_pictures.py changed OUT.png BEFORE.off AFTER.off
-    python3 benchmark/python/journey_pictures.py chart OUT.png CHARTS.obj
     python3 benchmark/python/journey_pictures.py cuts OUT.png MESH.off CUTS.json
     python3 benchmark/python/journey_pictures.py channels OUT.png MESH.off CHANNELS.csv
     python3 benchmark/python/journey_pictures.py survey OUT.png TABLE.csv PICTURE...
@@ -73,22 +72,6 @@ def section(*names):
 def changed(before, after):
     change = removal_sheet.Change(*map(mesh_drawing.read_off, (before, after)), ())
     return cropped(removal_sheet.tile(change, 7 * SIZE // 8, False))
-
-
-def chart(name):
-    places, faces = [], []
-    with open(name, encoding="utf-8") as file:
-        for words in map(str.split, file):
-            if words[:1] == ["vt"]:
-                places.append([float(word) for word in words[1:3]])
-            elif words[:1] == ["f"]:
-                faces.append([int(word.split("/")[1]) - 1 for word in words[1:]])
-    at = np.array(places) * (1, -1) * 2 * SIZE + (0, 2 * SIZE)
-    picture = Image.new("RGB", (2 * SIZE, 2 * SIZE), "white")
-    for face in faces:
-        corners = [tuple(p) for p in at[face]]
-        ImageDraw.Draw(picture).polygon(corners, fill=(222, 228, 238), outline=(120, 130, 150))
-    return cropped(picture.resize((SIZE, SIZE), Image.LANCZOS))
 
 
 def cuts(name, cuts_name):
@@ -166,7 +149,7 @@ def main():
     if what == "beside":
         whole = beside([Image.open(name).convert("RGB") for name in names])
     else:
-        drawn = {"section": section, "changed": changed, "chart": chart, "cuts": cuts, "channels": channels, "survey": survey}
+        drawn = {"section": section, "changed": changed, "cuts": cuts, "channels": channels, "survey": survey}
         whole = drawn[what](*names)
     colours = whole.quantize(224, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
     colours.save(output, optimize=True)

@@ -3,7 +3,6 @@
 set(HTLOOPS_APP_SOURCES
   solve/backends.cpp
   solve/boundaries.cpp
-  solve/charts.cpp
   solve/certification.cpp
   solve/channels.cpp
   solve/cut_solver.cpp

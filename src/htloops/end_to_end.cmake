@@ -153,7 +153,7 @@ expect_match(" ${selection}" "[ \n]7[ \n]")
 run(2 cut mesh.off --through 1000000)
 run(2 cut mesh.off -o open.stl)
 run(2 cut mesh.off --selection cut.txt)
-# Seams and texture coordinates are of the file as it is; spheres are cut, too.
+# Seams are of the file as it is; spheres are cut, too.
 file(WRITE "${FOLDER}/cube.off" "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
   "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
 run(4 cut cube.off)
@@ -163,18 +163,8 @@ expect_equal("${errors}" "")
 file(READ "${FOLDER}/cube.py" program)
 expect_match("${program}" "\nMESH = .cube.off.  #.*\nNUMBER_OF_VERTICES = 8\nPLACES = {.*\nSEAMS = [[]\n(    [(][0-7], [0-7][)],\n)+[]]\n")
 run(2 cut cube.off --seams cube.txt)
-run(2 cut cube.off --uv cube.off)
 run(2 cut mesh.off --repair --seams mesh.py)
 expect_match("${errors}" "repair it first with 'htloops repair'")
-run("0|2" cut cube.off --uv cube.obj)
-if(output)
-  expect_match("${output}" "\n1 chart: angles off by")
-  file(STRINGS "${FOLDER}/cube.obj" faces REGEX "^f ([1-8]/[0-9]+ ?)+$")
-  list(LENGTH faces faces)
-  expect_equal("${faces}" 6)
-else()
-  expect_match("${errors}" "a build with Eigen")
-endif()
 
 # Other classification, the same names, and nothing known of sides.
 run(0 loops mesh.off -o offset.json --classify offset)

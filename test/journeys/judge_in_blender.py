@@ -1,8 +1,8 @@
-"""Judges seams and texture coordinates in Blender: -- MESH SEAMS.py UV.obj
+"""Judges seams in Blender: -- MESH SEAMS.py
 
 The program marks seams on the mesh, which it imports itself. Polygons stay; no edge is marked but edges of
-the file; cut along the seams, each component is one disk. The islands of the texture coordinates have the same
-seams.
+the file; cut along the seams, each component is one disk. Blender unwraps the mesh along them, to islands with
+the same seams.
 """
 
 import os
@@ -11,7 +11,7 @@ import sys
 
 import bpy
 
-mesh_file, seams_file, uv_file = sys.argv[sys.argv.index("--") + 1 :]
+mesh_file, seams_file = sys.argv[sys.argv.index("--") + 1 :]
 
 
 def find(parent, a):
@@ -56,11 +56,6 @@ def seams_of(mesh):
     return {frozenset(e.vertices) for e in mesh.edges if e.use_seam and len(at[frozenset(e.vertices)]) == 2}
 
 
-def clear():
-    bpy.ops.object.select_all(action="SELECT")
-    bpy.ops.object.delete()
-
-
 # The program is run beside another object, the cube that Blender begins with; and once more when the mesh is there.
 runpy.run_path(seams_file)
 marked = [obj for obj in bpy.data.objects if obj.type == "MESH" and any(e.use_seam for e in obj.data.edges)]
@@ -77,16 +72,16 @@ number_of_objects = len(bpy.data.objects)
 runpy.run_path(seams_file)
 assert seams_of(mesh) == seams and len(bpy.data.objects) == number_of_objects
 
-clear()
-bpy.ops.wm.obj_import(filepath=uv_file)
-obj = bpy.context.selected_objects[0]
-assert len(obj.data.uv_layers) == 1
-assert [tuple(p.vertices) for p in obj.data.polygons] == [tuple(p.vertices) for p in mesh.polygons]
+obj = marked[0]
+bpy.ops.object.select_all(action="DESELECT")
+obj.select_set(True)
 bpy.context.view_layer.objects.active = obj
 bpy.ops.object.mode_set(mode="EDIT")
 bpy.ops.mesh.select_all(action="SELECT")
+bpy.ops.uv.unwrap()
 bpy.ops.uv.select_all(action="SELECT")
+bpy.ops.mesh.mark_seam(clear=True)
 bpy.ops.uv.seams_from_islands(mark_seams=True, mark_sharp=False)
 bpy.ops.object.mode_set(mode="OBJECT")
-assert seams_of(obj.data) == seams, (len(seams_of(obj.data)), len(seams))
+assert seams_of(mesh) == seams, (len(seams_of(mesh)), len(seams))
 print(f"JUDGED {os.path.basename(mesh_file)}: {len(seams)} seams")

@@ -31,12 +31,11 @@ def made(tmp_path_factory):
 
 
 @pytest.mark.parametrize("mesh", ["torus.obj", "tube.obj", "cylinder.obj", "monkey.obj", "torus.ply"])
-def test_seams_and_charts_are_what_blender_sees(tool, made, mesh):
+def test_seams_are_what_blender_unwraps_along(tool, made, mesh):
     (tool.folder / mesh).write_bytes((made / mesh).read_bytes())
     (tool.folder / "elsewhere").mkdir()
-    said = tool.run("cut", mesh, "--seams", "elsewhere/seams.py", "--uv", "uv.obj").stdout
-    assert re.search(r"\n[13] charts?: angles off by a factor of [1-9][.0-9]* on average", said)
-    said = judges.program_in_blender(HERE / "judge_in_blender.py", mesh, "elsewhere/seams.py", "uv.obj", folder=tool.folder)
+    tool.run("cut", mesh, "--seams", "elsewhere/seams.py", "-q")
+    said = judges.program_in_blender(HERE / "judge_in_blender.py", mesh, "elsewhere/seams.py", folder=tool.folder)
     assert re.search(f"JUDGED {mesh}: [1-9]", said)
 
 

@@ -138,8 +138,7 @@ def test_a_unit_that_a_format_has_no_place_for_is_told(tool, ending, comment):
         assert judges.paraview(tool.folder / f"copy.{ending}")["triangles"] == 4 * len(quads)
 
 
-@pytest.mark.parametrize("words", [["remove", "--all", "-o"], ["clean"], ["cut", "-o"], ["cut", "--uv"],
-                                   ["loops", "--write-mesh"]],
+@pytest.mark.parametrize("words", [["remove", "--all", "-o"], ["clean"], ["cut", "-o"], ["loops", "--write-mesh"]],
                          ids=" ".join)
 def test_each_command_that_writes_a_mesh_tells_that_its_unit_is_lost(tool, words):
     points, quads = torus()

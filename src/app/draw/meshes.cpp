@@ -10,13 +10,11 @@
 #include "draw/meshes.h"
 
 #include "draw/surfaces.h"
-#include "mend/steps.h"
 #include "write/Graphml_writer.h"
 #include "write/files.h"
 #include "write/mesh_writer.h"
 #include "write/tables.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -58,30 +56,6 @@ void number_copies(const Mesh& mesh,
     h = mesh.opposite(mesh.next(h));
   } while(h != first);
 }
-
-/// Which copy of a vertex a face has that comes to it from another one. (A vertex may have very
-/// many neighbors.)
-class Copies_of_corners
-{
-public:
-  Copies_of_corners(const Mesh& mesh, const Opened_mesh& opened) {
-    for(const Mesh::Halfedge_index h : mesh.halfedges())
-      if(!mesh.is_border(h))
-        copies_.emplace_back(key_of(mesh.source(h).idx(), mesh.target(h).idx()),
-                             opened.copy[h.idx()]);
-    std::sort(copies_.begin(), copies_.end());
-  }
-
-  std::uint32_t at(std::uint32_t from, std::uint32_t v) const {
-    return std::lower_bound(copies_.begin(), copies_.end(), std::make_pair(key_of(from, v), 0u))
-        ->second;
-  }
-
-private:
-  static std::uint64_t key_of(std::uint64_t from, std::uint64_t to) { return from << 32 | to; }
-
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> copies_;
-};
 
 void write_graphml(Text_writer& out, const Reeb_answer& answer) {
   Graphml_writer graphml(out, {{"type", "node", "string"},
@@ -174,16 +148,14 @@ void check_opened_mesh_format(const std::string& file) {
                       ": STL stores only coordinates, so the cut would close again");
 }
 
-Opened_mesh open_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
+generators::Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
   std::vector<char> is_cut(mesh.number_of_halfedges(), 0);
   for(const Mesh::Edge_index e : cut)
     is_cut[e.idx()] = 1;
-  Opened_mesh opened;
-  generators::Soup& soup = opened.soup;
+  generators::Soup soup;
   for(const Point& p : mesh.points())
     soup.points.push_back({p.x(), p.y(), p.z()});
-  std::vector<std::uint32_t>& copy = opened.copy;
-  copy.resize(mesh.number_of_halfedges());
+  std::vector<std::uint32_t> copy(mesh.number_of_halfedges()); // by halfedge with a face
   for(const Mesh::Vertex_index v : mesh.vertices())
     if(!mesh.is_isolated(v))
       number_copies(mesh, v, is_cut, copy, soup);
@@ -191,34 +163,7 @@ Opened_mesh open_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut
     const Mesh::Halfedge_index h = mesh.halfedge(f);
     soup.triangles.push_back({copy[mesh.prev(h).idx()], copy[h.idx()], copy[mesh.next(h).idx()]});
   }
-  return opened;
-}
-
-generators::Soup opened_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {
-  return open_mesh(mesh, cut).soup;
-}
-
-void export_charts(const std::string& file,
-                   const Soup& faces,
-                   const Mesh& mesh,
-                   const Opened_mesh& opened,
-                   const Charts& charts) {
-  Text_writer out(file);
-  for(const Point& point : faces.points)
-    out << "v " << point << '\n';
-  for(const auto& [u, v] : charts.places)
-    out << "vt " << u << ' ' << v << '\n';
-  const Copies_of_corners copies(mesh, opened);
-  for_each_polygon(faces, [&](std::size_t, const Corners& corners) {
-    out << 'f';
-    std::uint32_t before = corners.back();
-    for(const std::uint32_t v : corners) {
-      out << ' ' << std::size_t(v) + 1 << '/' << std::size_t(copies.at(before, v)) + 1;
-      before = v;
-    }
-    out << '\n';
-  });
-  out.finish();
+  return soup;
 }
 
 Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut) {

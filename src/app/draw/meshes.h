@@ -12,8 +12,6 @@
 
 #include "draw/lines.h"
 #include "generators/generators.h"
-#include "read/soup.h"
-#include "solve/charts.h"
 #include "solve/cut_solver.h"
 #include "solve/reeb_solver.h"
 
@@ -26,28 +24,10 @@ namespace htloops {
 /// throws `Failure` if the name of a file does not tell a format in which a vertex may have copies.
 void check_opened_mesh_format(const std::string& file);
 
-/// A mesh that was cut open, as triangles.
-struct Opened_mesh
-{
-  CGAL::Handle_tunnel_loops::generators::Soup soup;
-  std::vector<std::uint32_t> copy; ///< by halfedge with a face, the vertex that it leads to
-};
-
 /// the mesh cut open along edges: a vertex has a copy for each side. The faces are in their order;
 /// so are the vertices, each with its copies behind all others.
-Opened_mesh open_mesh(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut);
-
-/// the same without the rest.
 CGAL::Handle_tunnel_loops::generators::Soup opened_mesh(const Mesh& mesh,
                                                         const std::vector<Mesh::Edge_index>& cut);
-
-/// writes the points and faces of a file as OBJ, each corner with its place in the charts of the
-/// opened mesh; that was made of these faces, cut into triangles, and has their vertices.
-void export_charts(const std::string& file,
-                   const Soup& faces,
-                   const Mesh& mesh,
-                   const Opened_mesh& opened,
-                   const Charts& charts);
 
 /// the edges as lines, for a picture.
 Exported_lines lines_of(const Mesh& mesh, const std::vector<Mesh::Edge_index>& cut);

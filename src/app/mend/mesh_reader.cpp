@@ -108,12 +108,13 @@ Soup read_whole_soup(const Input_file& file) {
   return soup.facts.is_parted_at_seams ? join_seams(std::move(soup)) : soup;
 }
 
-Mended_mesh mesh_of(Soup soup, const Input_file& file, const Remedies& remedies) {
+Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
   Mended_soup mended;
+  mended.soup = read_whole_soup(file);
   if(remedies.any())
-    mended = mend(std::move(soup), remedies);
-  else
-    mended.soup = std::move(soup);
+    mended = mend(std::move(mended.soup), remedies);
+  else // then the file is not looked at again
+    file.close();
   throw_if_interrupted();
   Built_mesh built = build_mesh(mended.soup);
   throw_if_interrupted();
@@ -122,13 +123,6 @@ Mended_mesh mesh_of(Soup soup, const Input_file& file, const Remedies& remedies)
   Face_cuts cuts = cuts_of(built.mesh, mended);
   return {std::move(built.mesh), std::move(mended.changes), std::move(mended.origins),
           std::move(cuts), std::move(mended.soup.facts)};
-}
-
-Mended_mesh read_mesh(Input_file file, const Remedies& remedies) {
-  Soup soup = read_whole_soup(file);
-  if(!remedies.any()) // then it is not looked at again
-    file.close();
-  return mesh_of(std::move(soup), file, remedies);
 }
 
 Mesh read_mesh(Input_file file) { return read_mesh(std::move(file), Remedies()).mesh; }

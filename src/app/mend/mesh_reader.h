@@ -40,9 +40,6 @@ struct Mended_mesh
 /// with the mesh and the option that helps.
 Mended_mesh read_mesh(Input_file file, const Remedies& remedies);
 
-/// the same of the soup that a file has.
-Mended_mesh mesh_of(Soup soup, const Input_file& file, const Remedies& remedies);
-
 /// the same of a mesh that is to be fit as it is.
 Mesh read_mesh(Input_file file);
 

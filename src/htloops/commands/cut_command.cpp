@@ -11,8 +11,6 @@
 #include "app/draw/meshes.h"
 #include "app/draw/scenes.h"
 #include "app/mend/mesh_reader.h"
-#include "app/read/soup.h"
-#include "app/solve/charts.h"
 #include "app/solve/cut_solver.h"
 #include "app/words.h"
 #include "app/write/dual_formats.h"
@@ -26,7 +24,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <utility>
 
 namespace htloops {
 namespace {
@@ -37,17 +34,16 @@ struct Cut_command_options : Common_options
   std::string selection_file;
   std::string dual_file;
   std::string seams_file;
-  std::string charts_file;
   std::vector<std::uint32_t> cones;
   bool do_cut_spheres = false;
 
   /// whether the faces of the file matter as they are.
-  bool is_for_textures() const { return !seams_file.empty() || !charts_file.empty(); }
+  bool is_for_seams() const { return !seams_file.empty(); }
 
   /// whether there is a cut to disks, and not only dual cuts.
   bool is_to_disks() const {
-    return dual_file.empty() || !opened_file.empty() || !selection_file.empty() ||
-           is_for_textures() || !cones.empty() || do_cut_spheres;
+    return dual_file.empty() || !opened_file.empty() || !selection_file.empty() || is_for_seams() ||
+           !cones.empty() || do_cut_spheres;
   }
 };
 
@@ -56,34 +52,19 @@ void check_options(const Cut_command_options& options) {
   check_suffix(options.selection_file, ".selection.txt");
   check_dual_format(options.dual_file);
   check_suffix(options.seams_file, ".py");
-  check_suffix(options.charts_file, ".obj");
-  if(!options.charts_file.empty() && !can_make_charts())
-    throw wrong_usage("--uv needs a build with Eigen");
-  if(options.is_for_textures() && (options.remedies.do_repair || options.remedies.weld))
-    throw wrong_usage("--seams and --uv refer to the vertices and faces of the file as they are: "
+  if(options.is_for_seams() && (options.remedies.do_repair || options.remedies.weld))
+    throw wrong_usage("--seams refers to the vertices and faces of the file as they are: "
                       "repair it first with 'htloops repair'");
   check_common_options(options);
 }
 
-/// The mesh, and for textures its faces before they became triangles.
-struct Cut_mesh
-{
-  Soup faces;
-  Mended_mesh mended;
-};
-
-Cut_mesh read(const Cut_command_options& options) {
-  Cut_mesh result;
-  Input_file file = input_of(options);
+Mended_mesh read(const Cut_command_options& options) {
   Mesh_options reading = options;
-  if(options.is_for_textures()) {
-    result.faces = read_whole_soup(file);
+  if(options.is_for_seams()) {
     reading.remedies.do_triangulate = true;
     reading.is_quiet = options.is_quiet || !options.remedies.any();
-    result.mended = read_mended_mesh(reading, file, result.faces);
-  } else
-    result.mended = read_mended_mesh(reading, std::move(file));
-  return result;
+  }
+  return read_mended_mesh(reading);
 }
 
 Cut_answer solve(const Mended_mesh& mended, const Cut_command_options& options) {
@@ -91,8 +72,8 @@ Cut_answer solve(const Mended_mesh& mended, const Cut_command_options& options) 
   Cut_options cut;
   for(const std::uint32_t v : options.cones)
     cut.cones.push_back(vertex_of_mesh(mesh, v));
-  cut.do_cut_spheres = options.do_cut_spheres || options.is_for_textures();
-  if(options.is_for_textures())
+  cut.do_cut_spheres = options.do_cut_spheres || options.is_for_seams();
+  if(options.is_for_seams())
     cut.avoided = mended.cuts;
   cut.number_of_threads = options.number_of_threads;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
@@ -124,27 +105,6 @@ void write_files(const Cut_command_options& options,
                mended.facts.unit);
 }
 
-std::string words_of(const Charts& charts) {
-  std::string words =
-      counted(charts.number, "chart", "charts") +
-      formatted(": angles off by a factor of %.3g on average, areas by %.3g to %.3g\n",
-                charts.angle_distortion, charts.least_area, charts.largest_area);
-  if(charts.number_of_fine_ones != 0)
-    words += counted(charts.number_of_fine_ones, "chart has", "charts have") +
-             " triangles that are inverted in single precision\n";
-  return words;
-}
-
-// Says how good they are.
-std::string write_charts(const std::string& file,
-                         const Cut_mesh& read,
-                         const std::vector<Mesh::Edge_index>& cut) {
-  const Opened_mesh opened = open_mesh(read.mended.mesh, cut);
-  const Charts charts = make_charts(opened.soup);
-  export_charts(file, read.faces, read.mended.mesh, opened, charts);
-  return words_of(charts);
-}
-
 std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
   const std::string cut = answer.edges.empty()
                               ? "nothing to cut"
@@ -157,17 +117,13 @@ std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
 }
 
 // To disks; says how.
-std::string cut_to_disks(const Cut_command_options& options, const Cut_mesh& read, double seconds) {
-  const Mesh& mesh = read.mended.mesh;
-  const Cut_answer answer = solve(read.mended, options);
-  std::string words = words_of_cut(answer, seconds);
-  if(!options.charts_file.empty()) {
-    words += write_charts(options.charts_file, read, answer.edges);
-    show_note_on_unit(options, options.charts_file, read.mended.facts);
-  }
+std::string
+cut_to_disks(const Cut_command_options& options, const Mended_mesh& mended, double seconds) {
+  const Cut_answer answer = solve(mended, options);
+  const std::string words = words_of_cut(answer, seconds);
   if(!options.seams_file.empty())
-    write_seam_script(options.seams_file, options.mesh_file, mesh, answer.edges);
-  write_files(options, read.mended, answer, words);
+    write_seam_script(options.seams_file, options.mesh_file, mended.mesh, answer.edges);
+  write_files(options, mended, answer, words);
   return words;
 }
 
@@ -183,8 +139,8 @@ std::string words_of_dual_cuts(const Mesh& mesh, const Dual_cuts& duals, double 
 
 // Writes the dual cuts; says how many there are.
 std::string
-cut_across_loops(const Cut_command_options& options, const Cut_mesh& read, double seconds) {
-  const Mesh& mesh = read.mended.mesh;
+cut_across_loops(const Cut_command_options& options, const Mended_mesh& mended, double seconds) {
+  const Mesh& mesh = mended.mesh;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   const Dual_cuts duals = find_dual_cuts(mesh, options.number_of_threads, bar);
   write_dual_cuts(options.dual_file, mesh, duals);
@@ -195,23 +151,23 @@ cut_across_loops(const Cut_command_options& options, const Cut_mesh& read, doubl
   write_lines(options, lines);
   if(is_looked_at(options))
     show_scene(options, scene_of_dual_cuts(view_of(options), options.mesh_file, mesh, lines, words),
-               read.mended.facts.unit);
+               mended.facts.unit);
   return words;
 }
 
 void run(const Cut_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
-  const Cut_mesh read_mesh = read(options);
+  const Mended_mesh mended = read(options);
   const double read_seconds = stopwatch.seconds();
-  write_read_mesh(options, read_mesh.mended);
+  write_read_mesh(options, mended);
   std::string words;
   if(options.is_to_disks())
-    words += cut_to_disks(options, read_mesh, read_seconds);
+    words += cut_to_disks(options, mended, read_seconds);
   if(!options.dual_file.empty())
-    words += cut_across_loops(options, read_mesh, read_seconds);
+    words += cut_across_loops(options, mended, read_seconds);
   if(!options.is_quiet)
-    show_text(words + words_of_unit(read_mesh.mended.facts.unit),
+    show_text(words + words_of_unit(mended.facts.unit),
               options.opened_file == "-" || options.selection_file == "-" ||
                   options.dual_file == "-" || options.page_file == "-" ||
                   options.is_mesh_on_standard_output());
@@ -224,10 +180,8 @@ void add_output_options(CLI::App& command, Cut_command_options& options) {
   add_output(command, "--selection", "FILE.selection.txt", options.selection_file,
              "the cut edges, as a CGAL selection file");
   add_output(command, "--seams", "FILE.py", options.seams_file,
-             "a Python script for Blender that marks the cut edges as seams");
-  add_output(command, "--uv", "FILE.obj", options.charts_file,
-             "the mesh with texture coordinates, each component as one disk. --uv and --seams\n"
-             "keep quadrilaterals and polygons whole, and also cut spheres");
+             "a Python script for Blender that marks the cut edges as seams. With --seams,\n"
+             "quadrilaterals and polygons stay whole, and spheres are also cut");
   add_output(command, "--dual", "FILE", options.dual_file,
              "dual cuts: for each handle loop, tunnel loop and boundary curve (except one of\n"
              "each component), a cut that crosses it once and no other: as .json, or as lines\n"
@@ -262,7 +216,6 @@ constexpr char cut_examples[] = R"(Examples:
   htloops cut part.off --selection part.selection.txt
                                                   for CGAL::Seam_mesh and CGAL's demos
   htloops cut chair.obj --seams seams.py          a script for Blender (blender -P seams.py)
-  htloops cut chair.obj --uv unwrapped.obj        add texture coordinates
   htloops cut part.off --through 17,4 --picture cut.png
                                                   cut through two vertices, with a picture
   htloops cut plate.off --dual cuts.msh           dual cuts of a plate with holes

@@ -257,12 +257,6 @@ Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file) {
   return mended;
 }
 
-Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file, Soup soup) {
-  Mended_mesh mended = mesh_of(std::move(soup), file, options.remedies);
-  show_changes(options, file.name(), mended);
-  return mended;
-}
-
 Mended_mesh read_mended_mesh(const Mesh_options& options) {
   return read_mended_mesh(options, input_of(options));
 }

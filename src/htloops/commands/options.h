@@ -84,9 +84,6 @@ Input_file input_of(const Mesh_options& options);
 Mended_mesh read_mended_mesh(const Mesh_options& options, Input_file file);
 Mended_mesh read_mended_mesh(const Mesh_options& options);
 
-/// reads it from a file, the soup of which is known already.
-Mended_mesh read_mended_mesh(const Mesh_options& options, const Input_file& file, Soup soup);
-
 /// says on the standard error that a file of a mesh has no place for the unit of its lengths.
 void show_note_on_unit(const Mesh_options& options,
                        const std::string& file,

@@ -1,4 +1,5 @@
-// The file that `htloops cut -o` writes, judged by what is in it: faces as numbers of vertices.
+// The file that `htloops cut -o` writes, judged by what is in it: faces as numbers of vertices; and
+// cuts as `--seams` wants them, which spare polygons and open spheres.
 
 #include "app/draw/meshes.h"
 
@@ -18,8 +19,11 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -154,6 +158,65 @@ TEST_F(Opened_mesh, is_a_disk_on_scans_with_boundary) {
     SCOPED_TRACE(name);
     expect_disks(written(htloops::read_mesh(file.string()), "open.obj"));
   }
+}
+
+// A torus of n by n quadrangles, some of them joined to hexagons, whose points are shaken.
+std::string torus_of_polygons(unsigned n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shake(-0.1, 0.1);
+  std::ostringstream text;
+  for(unsigned i = 0; i < n; ++i)
+    for(unsigned j = 0; j < n; ++j) {
+      const double a = 6.283185307179586 * i / n, b = 6.283185307179586 * j / n;
+      text << "v " << (3. + std::cos(b)) * std::cos(a) + shake(random) << ' '
+           << (3. + std::cos(b)) * std::sin(a) + shake(random) << ' ' << std::sin(b) + shake(random)
+           << '\n';
+    }
+  const auto vertex = [n](unsigned i, unsigned j) { return i % n * n + j % n + 1; };
+  for(unsigned i = 0; i < n; ++i)
+    for(unsigned j = 0; j < n; ++j) {
+      const bool is_joined = j + 2 < n && random() % 4 == 0;
+      text << "f " << vertex(i, j) << ' ' << vertex(i + 1, j) << ' ' << vertex(i + 1, j + 1);
+      if(is_joined)
+        text << ' ' << vertex(i + 1, j + 2) << ' ' << vertex(i, j + 2);
+      text << ' ' << vertex(i, j + 1) << '\n';
+      j += is_joined;
+    }
+  return text.str();
+}
+
+TEST_F(Opened_mesh, is_a_disk_where_polygons_stay_whole) {
+  for(unsigned seed = 0; seed < 4; ++seed) {
+    folder_.write("polygons.obj", torus_of_polygons(6 + 2 * seed, seed));
+    htloops::Remedies remedies;
+    remedies.do_triangulate = true;
+    const htloops::Mended_mesh mended = htloops::read_mesh(folder_.path("polygons.obj"), remedies);
+    ASSERT_EQ(mended.cuts.size(), mended.mesh.number_of_halfedges());
+    htloops::Cut_options options;
+    options.avoided = mended.cuts;
+    htloops::Progress progress;
+    for(const auto e : htloops::find_cut(mended.mesh, options, progress).edges)
+      EXPECT_EQ(mended.cuts[e.idx()], 0) << "a cut across a face";
+    expect_disks(written(mended.mesh, "open.obj", options));
+  }
+}
+
+// A cut along a single edge opens nothing: that of a tetrahedron, where all vertices are neighbors.
+TEST_F(Opened_mesh, is_a_disk_of_each_sphere_if_these_are_cut) {
+  htloops::Cut_options options;
+  options.do_cut_spheres = true;
+  std::vector<generators::Soup> soups;
+  for(const unsigned seed : {0, 1, 2})
+    for(const char* kind : {"sphere", "torus"})
+      soups.push_back(soup_of({kind, {200 + 100 * seed, kind[0] == 't' ? 1u : 0u, seed}}));
+  generators::Soup tetrahedron;
+  tetrahedron.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  soups.push_back(tetrahedron);
+  const auto mesh = mesh_of<htloops::Mesh>(generators::disjoint_union(soups));
+  const htloops::Soup opened = written(mesh, "open.off", options);
+  EXPECT_EQ(pieces_of(opened).size(), soups.size());
+  expect_disks(opened);
 }
 
 } // namespace test_htloops_opened_mesh
