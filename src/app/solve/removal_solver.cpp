@@ -113,7 +113,9 @@ Removal_answer remove_handles(const Mesh& mesh,
                               Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
   progress.start("remove");
-  const CGAL::Handle_tunnel_loops::Removal_options& wanted = options;
+  CGAL::Handle_tunnel_loops::Removal_options wanted = options;
+  if(wanted.target_genus && *wanted.target_genus > pairs.size()) // nothing is to do
+    wanted.target_genus = pairs.size();
   Changeable_copy copy(mesh);
   const Changeable_pairs loops = copy.pairs(pairs);
   Face_parents parents;

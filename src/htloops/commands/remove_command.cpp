@@ -211,6 +211,14 @@ std::string words_of_bores(const Remove_options& options,
          "\n";
 }
 
+// Where there are no more handles than are to be kept.
+std::string words_of_genus(const Remove_options& options, const Removal_report& report) {
+  return options.genus.value_or(0) > report.genus_before
+             ? "nothing to do: --genus " + std::to_string(*options.genus) + " is more than the " +
+                   counted(report.genus_before, "handle", "handles") + " of the mesh\n"
+             : "";
+}
+
 bool is_output_taken(const Remove_options& options) {
   return (options.result_file == "-" && !options.is_dry_run) ||
          options.is_mesh_on_standard_output() || options.json_file == "-" ||
@@ -281,6 +289,7 @@ void run(const Remove_options& options) {
     show_text(words_of_length(options, mesh, answer.pairs.size(), removal.report) +
                   words_of_noise(options, mesh, answer, removal.report) +
                   words_of_bores(options, mesh, answer, removal.report) +
+                  words_of_genus(options, removal.report) +
                   table_and_summary(options, told.report, options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
                   words_of_time(removal, loops_seconds, read_seconds) +
