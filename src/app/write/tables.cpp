@@ -70,7 +70,7 @@ template <typename Row> std::string table_rows(std::size_t count, bool show_all,
   for(std::size_t i = 0; i < count; ++i) {
     if(!is_whole && i == first_rows) {
       i = count - last_rows;
-      rows += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
+      rows += "  ... " + std::to_string(i - first_rows) + " more (--all-rows shows them)\n";
     }
     rows += row(i);
   }
@@ -131,7 +131,7 @@ std::string reasons(const Answer& answer, bool show_all) {
   for(std::size_t i = 0; i < shown; ++i)
     text += "  " + lines[i] + "\n";
   if(shown < lines.size())
-    text += "  ... " + std::to_string(lines.size() - shown) + " more (--all shows them)\n";
+    text += "  ... " + std::to_string(lines.size() - shown) + " more (--all-rows shows them)\n";
   return text;
 }
 

@@ -303,7 +303,7 @@ void add_reeb_command(CLI::App& app, Command& command) {
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
   reeb->option_defaults()->group("What to show");
-  reeb->add_flag("--all,--all-rows", options->show_all, "show all rows of a long table");
+  reeb->add_flag("--all-rows", options->show_all, "show all rows of a long table");
   reeb->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*reeb, reeb_examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });

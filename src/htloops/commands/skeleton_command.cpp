@@ -201,7 +201,7 @@ void add_skeleton_command(CLI::App& app, Command& command) {
   add_remedy_options(*skeleton, *options);
   add_computation_options(*skeleton, *options);
   skeleton->option_defaults()->group("What to show");
-  skeleton->add_flag("--all,--all-rows", options->show_all, "show all rows of a long table");
+  skeleton->add_flag("--all-rows", options->show_all, "show all rows of a long table");
   skeleton->add_flag("-q,--quiet", options->is_quiet,
                      "print only errors, and that a skeleton is not certified");
   complete_help(*skeleton, skeleton_examples);
