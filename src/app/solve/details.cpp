@@ -56,6 +56,8 @@ void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer) {
   const Stopwatch stopwatch;
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, do_find_waists);
+  if(answer.statistics.number_of_components > 1)
+    answer.components = components_of_pairs(mesh, answer.pairs);
   answer.bores = find_bores(mesh, answer.pairs);
   answer.total_seconds += stopwatch.seconds();
 }
