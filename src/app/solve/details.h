@@ -14,6 +14,7 @@
 #include "solve/progress.h"
 
 #include <optional>
+#include <string>
 
 namespace htloops {
 
@@ -28,6 +29,11 @@ Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress);
 
 /// the smaller of thickness and clear width, as far as they are known; none if neither is.
 std::optional<double> noise_of(const Measure& measure);
+
+/// throws `Failure` if handles that are thinner or narrower than a length, `text` as an option, are
+/// to go and it is above 5% of the diagonal: that is often a percentage without its sign, and real
+/// handles would go. The sizes of those handles are told.
+void check_noise(const Measures& measures, const std::string& text, double below, double diagonal);
 
 /// looks for what is told of a mesh with its loops: boundary curves, if it has some, and bores.
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer);

@@ -84,6 +84,7 @@ Clean_options clean_options(const Clean_command_options& options) {
     result.floater_share = share_of(options.floaters);
   result.genus = options.genus;
   result.noise_below = relative_length("--noise-below", options.noise_below);
+  result.is_sure = options.is_sure || options.is_dry_run;
   result.number_of_threads = options.number_of_threads;
   return result;
 }

@@ -574,7 +574,8 @@ void check_length_of_mesh(const std::string& option, const std::string& text, do
 void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options) {
   command.add_flag("--yes", is_sure,
                    "accept a length of " + options + " that is\n" +
-                       "more than the diagonal of the bounding box (usually a forgotten %)");
+                       "more than the diagonal of the bounding box, or of --noise-below above\n"
+                       "5% of it (usually a forgotten %)");
 }
 
 std::string indented(const std::vector<std::string>& lines) {

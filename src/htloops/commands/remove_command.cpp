@@ -89,8 +89,11 @@ std::vector<std::size_t> pairs_of_noise(const Measures& measures, double below) 
 Removal_options wish(const Mesh& mesh, const Answer& answer, const Remove_options& options) {
   const double diagonal = diagonal_of(mesh);
   Removal_options removal = removal_options(options, diagonal);
-  if(const auto length = parse_length("--noise-below", options.noise_below, diagonal))
+  if(const auto length = parse_length("--noise-below", options.noise_below, diagonal)) {
+    if(!options.is_sure && !options.is_dry_run)
+      check_noise(answer.measures, options.noise_below, *length, diagonal);
     removal.pairs = pairs_of_noise(answer.measures, *length);
+  }
   return removal;
 }
 
