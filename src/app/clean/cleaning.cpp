@@ -85,7 +85,6 @@ public:
   }
 
   Cleaned_mesh operator()() {
-    const Stopwatch stopwatch;
     progress_.start("clean");
     close_surface();
     const double longest = absolute(options_.channel_length, mesh_);
@@ -97,7 +96,6 @@ public:
     find_replaced_faces();
     const Changeable_copy copy(result_.mesh);
     result_.after = state_of(copy.mesh, measured_parts(copy.mesh), crossings_);
-    result_.total_seconds = stopwatch.seconds();
     return std::move(result_);
   }
 

@@ -83,7 +83,6 @@ struct Cleaned_mesh : Changed_mesh
   Mesh_state before, after;
   std::vector<Face_fate> fates;                 ///< of each face before
   std::vector<std::vector<Point>> closed_loops; ///< of channels and handles that were removed
-  double total_seconds = 0.;
 
   bool is_closed() const { return after.boundaries == 0 && after.faces > 0; }
 };

@@ -105,9 +105,10 @@ void run(const Skeleton_command_options& options) {
   const Stopwatch stopwatch;
   const Mended_mesh mended = read_mended_mesh(options);
   const double read_seconds = stopwatch.seconds();
-  const Skeleton_answer answer = solve(mended.mesh, options);
+  Skeleton_answer answer = solve(mended.mesh, options);
   write_read_mesh(options, mended);
   write_files(options, mended, answer, read_seconds);
+  answer.total_seconds = stopwatch.seconds() - read_seconds; // with what was written
   if(!options.is_quiet)
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds) +
                   words_of_unit(mended.facts.unit),
