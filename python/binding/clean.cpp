@@ -48,6 +48,7 @@ Clean_options clean_options(const py::dict& chosen) {
   options.floater_share = py::cast<double>(chosen["floaters"]);
   options.genus = py::cast<std::optional<std::size_t>>(chosen["genus"]);
   options.noise_below = relative(py::cast<std::optional<Length>>(chosen["noise_below"]));
+  options.is_sure = py::cast<bool>(chosen["force"]);
   return options;
 }
 
@@ -78,6 +79,8 @@ py::tuple clean(const py::array& points,
     try {
       return htloops::clean(std::move(soup), options, weld, watch);
     } catch(const htloops::Failure& failure) {
+      if(failure.code() == htloops::Exit_code::WRONG_USAGE)
+        throw;
       throw Mesh_error(failure.what());
     }
   });

@@ -56,6 +56,7 @@ py::tuple generate(const std::string& name, const py::dict& given, const Watch& 
       throw py::type_error("generate() has no option '" + option + "'");
   }
   const generators::Soup soup = compute(0, watch, [&] {
+    const generators::Watch_guard guard([](std::size_t) { htloops::throw_if_interrupted(); });
     generators::Soup whole = generators::make(kind, request);
     return holes.number > 0 ? generators::with_holes(whole, holes) : whole;
   });

@@ -64,7 +64,7 @@ def main():
         print(f"{count:6} {words}")
     L = htl.loops(V, F)
     print(f"{L.number_of_components} components, total genus {L.genus}")
-    V, F, _, report = htl.remove_handles(V, F, loops=L)
+    V, F, _, report = htl.remove_handles(V, F, genus=0, loops=L)
     print(f"after the removal of {len(report['removed'])} handles: genus {report['genus_after']}")
     return report
 

@@ -29,6 +29,7 @@ def clean(
     floaters: Union[float, str] = "0.02%",
     genus: Optional[int] = None,
     noise_below: Optional[Length] = None,
+    force: bool = False,
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
@@ -57,6 +58,7 @@ def clean(
         than five times that share
     genus : remove the smallest handles until this many remain
     noise_below : remove handles whose thickness or clear width is less than this length
+    force : accept a noise_below above 5% of the diagonal, which is an error otherwise
     threads, progress : as for `loops`
 
     Returns
@@ -89,10 +91,15 @@ def clean(
         floaters=_share(floaters),
         genus=None if genus is None else whole("genus", genus),
         noise_below=_length("noise_below", noise_below),
+        force=bool(force),
     )
-    new_V, new_F, face_origin, report = computed(
-        "clean", progress, _core.clean, *soup(V, F), chosen, threads_of(threads)
-    )
+    given = soup(V, F)
+    try:
+        new_V, new_F, face_origin, report = computed(
+            "clean", progress, _core.clean, *given, chosen, threads_of(threads)
+        )
+    except ValueError as reason:
+        raise type(reason)(_in_words_of_python(str(reason))) from None
     for step in report["steps"]:
         step["left"] = [_in_words_of_python(line) for line in step["left"]]
     return new_V, new_F, face_origin, report
@@ -100,7 +107,10 @@ def clean(
 
 def _in_words_of_python(line: str) -> str:
     line = re.sub(r"--channels (\S+%)", r'channels="\1"', line)
-    return line.replace("--noise-below", "noise_below").replace("--genus", "genus")
+    line = re.sub(r"Did you mean (\S+%)", r'Did you mean ""', line)
+    for option, name in (("--noise-below", "noise_below"), ("--genus", "genus"), ("--yes", "force=True")):
+        line = line.replace(option, name)
+    return line
 
 
 def _steps(skip: Any) -> List[str]:

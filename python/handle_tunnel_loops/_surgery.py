@@ -42,16 +42,16 @@ def remove_handles(
     threads: Optional[int] = 0,
     progress: Any = None,
 ) -> Tuple[np.ndarray, np.ndarray, np.ndarray, Dict[str, Any]]:
-    """Removes handles from a mesh: all of them, or those selected by one of the following parameters.
+    """Removes handles from a mesh: those selected by one of the parameters from genus to bores.
 
     Parameters
     ----------
     V, F : arrays of shape (n, 3) and (m, 3), or one mesh object
-    genus : remove the smallest handles until this many remain
+    genus : remove the smallest handles until this many remain; 0 selects all
     shorter_than : remove handles with a loop shorter than this length, in the unit of the coordinates, or as a
         percentage of the diagonal of the bounding box: "3%"
     noise_below : a length like shorter_than: remove handles whose thickness or clear width is less. What
-        cannot be measured is kept
+        cannot be measured is kept. More than 5% of the diagonal is an error unless force is given
     pairs : remove the handles of the pairs with these numbers, as in the table of ``loops``, which is required.
         A mapping gives the way of removal for each, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): remove handles with a loop in this box
@@ -65,7 +65,7 @@ def remove_handles(
         changes the shape less
     precision : for noise_below: the largest relative error of a measure, 0.001 to 0.2
     force : also remove handles where the result is not a repair, for example where the bounding box would grow
-        or more faces would intersect
+        or more faces would intersect; accept any noise_below
     loops : the loops of this mesh; computed by default
     threads, progress : as for `loops`
 
@@ -109,6 +109,11 @@ def remove_handles(
     if pairs is not None and loops is None:
         raise ValueError("pairs requires loops: the numbers are those of its pairs")
     chosen.update(by=word("by", by, get_args(Way)), methods=methods, force=bool(force))
+    if not given:
+        raise ValueError(
+            "which handles are to be removed? Give one of genus, shorter_than, noise_below, pairs, box, necks, "
+            "channels and bores; genus=0 removes all"
+        )
     mesh, number, error = arrays(V, F), threads_of(threads), precision_of(precision)
     with told(progress, "remove") as callback:
         begin = 0.0
@@ -122,11 +127,31 @@ def remove_handles(
         limit = chosen.pop("noise_below")
         if limit is not None:
             used["measures"] = measures_of(mesh, record, error, number, part(callback, begin, 0.8))
-            chosen["pairs"], begin = np.flatnonzero(used["measures"].noise < limit).tolist(), 0.8
+            noise = used["measures"].noise
+            if not force:
+                _check_noise(noise[noise < limit], noise_below, limit, record["diagonal"])
+            chosen["pairs"], begin = np.flatnonzero(noise < limit).tolist(), 0.8
         rest = part(callback, begin, 1)
         removed = computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
         removed[3].update(used)
         return removed
+
+
+_largest_noise = 0.05  # of the diagonal, as for the tool
+
+
+def _check_noise(sizes: np.ndarray, given: Any, limit: float, diagonal: float) -> None:
+    if not limit > _largest_noise * diagonal:
+        return
+    largest = ", ".join(f"{size:.4g}" for size in np.sort(sizes)[::-1][:10])
+    removed = "no handle" if len(sizes) == 0 else f"handles with a thickness or clear width of {largest}"
+    if len(sizes) > 10:
+        removed += f" and {len(sizes) - 10} smaller ones"
+    meant = "" if isinstance(given, str) or limit > 100 else f'Did you mean "{given:g}%"? '
+    raise ValueError(
+        f"noise_below={given!r} is {100 * limit / diagonal:.3g}% of the diagonal of the bounding box: "
+        f"it would remove {removed}. {meant}Use force=True to do it anyway"
+    )
 
 
 def _range(bores: Any) -> List[float]:

@@ -11,7 +11,7 @@ import handle_tunnel_loops as htl
 
 
 def removed(V, F, **which):
-    return htl.remove_handles(V, F, loops=htl.loops(V, F), **which)
+    return htl.remove_handles(V, F, loops=htl.loops(V, F), **(which or {"genus": 0}))
 
 
 MAKERS = {

@@ -22,7 +22,7 @@ def check_origin(V, F, new_V, new_F, face_origin):
 
 def test_all_handles(genus_3):
     V, F = genus_3
-    new_V, new_F, face_origin, report = htl.remove_handles(V, F)
+    new_V, new_F, face_origin, report = htl.remove_handles(V, F, genus=0)
     assert euler_characteristic(new_F) == 2 and htl.loops(new_V, new_F).genus == 0
     check_origin(V, F, new_V, new_F, face_origin)
     kept = report["vertex_origin"] >= 0
@@ -61,7 +61,7 @@ def test_noise():
     V, F = htl.generate("scan", faces=28000, genus=1, bridges=2, tunnels=2)
     L = htl.loops(V, F)
     M = htl.measure(V, F, L, precision=0.1)
-    limit = np.sort(M.noise)[-2:].mean()
+    limit = 1.01 * np.sort(M.noise)[-2]
     for length in limit, f"{100 * limit / np.linalg.norm(np.ptp(V, axis=0))}%":
         new_V, new_F, face_origin, report = htl.remove_handles(V, F, noise_below=length, precision=0.1, loops=L)
         assert sorted(handle["pair"] for handle in report["removed"]) == np.flatnonzero(M.noise < limit).tolist()
@@ -75,6 +75,24 @@ def test_noise():
         htl.remove_handles(V, F, noise_below=limit, pairs=[1], loops=L)
     with pytest.raises(ValueError, match="precision cannot be 1"):
         htl.remove_handles(V, F, noise_below=limit, precision=1)
+
+
+def test_large_noise_is_asked_for():
+    V, F = htl.generate("torus", faces=600)
+    with pytest.raises(ValueError, match=r'noise_below=2 is \d.*%.* width of \d.*Did you mean "2%"\? Use force=True'):
+        htl.remove_handles(V, F, noise_below=2)
+    with pytest.raises(ValueError, match="'6%' is 6% of the diagonal.* remove no handle. Use force=True"):
+        htl.remove_handles(V, F, noise_below="6%")
+    assert htl.remove_handles(V, F, noise_below="5%")[3]["genus_after"] == 1
+    assert htl.remove_handles(V, F, noise_below=2, force=True)[3]["genus_after"] == 0
+    with pytest.raises(ValueError, match=r'noise_below 2 is .* remove 1 handle, .*Did you mean "2%"\? Use force=True'):
+        htl.clean(V, F, noise_below=2)
+    assert htl.clean(V, F, noise_below=2, force=True)[3]["after"]["genus"] == 0
+
+
+def test_handles_are_chosen(torus):
+    with pytest.raises(ValueError, match="which handles.*genus, shorter_than, noise_below, pairs, box, necks"):
+        htl.remove_handles(*torus)
 
 
 def nut():

@@ -62,6 +62,7 @@ list(APPEND HTLOOPS_APP_SOURCES
   read/Vtk_document.cpp
   read/Zip_content.cpp
   read/input_file.cpp
+  read/json_errors.cpp
   read/loops_reader.cpp
   read/mesh_list.cpp
   read/patterns.cpp

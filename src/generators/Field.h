@@ -78,6 +78,7 @@ inline Vector point_of(const Soup& soup, std::uint32_t v) {
 /// returns the number of the point.
 inline std::uint32_t add_point(Soup& soup, const Vector& p) {
   soup.points.push_back({p.x(), p.y(), p.z()});
+  look_at(soup, soup.points.size());
   return static_cast<std::uint32_t>(soup.points.size() - 1);
 }
 

@@ -110,21 +110,47 @@ const Kind own_kinds[] = {
      "faces",
      make_random}};
 
+thread_local const Watch_guard::Look* current_look = nullptr;
+
 /// the edges of all triangles, as pairs of vertices in one number, sorted: an edge of two triangles
 /// occurs twice.
 std::vector<std::uint64_t> sides_of(const Soup& soup) {
-  std::vector<std::uint64_t> sides;
-  sides.reserve(3 * soup.triangles.size());
-  for(const auto& triangle : soup.triangles)
-    for(int i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      sides.push_back(std::uint64_t(low) << 32 | high);
+  std::vector<std::size_t> ends(soup.points.size() + 1, 0); // of the sides of each lower vertex
+  const auto for_each_side = [&soup](const auto& visit) {
+    for(std::size_t f = 0; f < soup.triangles.size(); ++f) {
+      look_at(soup, f);
+      for(std::size_t i = 0; i < 3; ++i)
+        visit(std::minmax(soup.triangles[f][i], soup.triangles[f][(i + 1) % 3]));
     }
-  std::sort(sides.begin(), sides.end());
+  };
+  for_each_side([&](const auto& side) { ++ends[side.first + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint64_t> sides(3 * soup.triangles.size());
+  for_each_side([&](const auto& side) {
+    sides[ends[side.first]++] = std::uint64_t(side.first) << 32 | side.second;
+  });
+  auto begin = sides.begin();
+  for(std::size_t v = 0; v < soup.points.size(); ++v) {
+    look_at(soup, v);
+    const auto end = sides.begin() + static_cast<std::ptrdiff_t>(ends[v]);
+    std::sort(begin, end);
+    begin = end;
+  }
   return sides;
 }
 
 } // namespace
+
+Watch_guard::Watch_guard(Look look)
+    : look_(std::move(look))
+    , previous_(std::exchange(current_look, &look_)) {}
+
+Watch_guard::~Watch_guard() { current_look = previous_; }
+
+void look_at(const Soup& soup) {
+  if(current_look != nullptr) // a closed surface has about twice as many faces as vertices
+    (*current_look)(2 * soup.points.size());
+}
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = [] {
@@ -248,7 +274,9 @@ Soup reversed(Soup soup) {
 std::size_t number_of_components(const Soup& soup) {
   boost::disjoint_sets_with_storage<> sets(soup.points.size());
   std::vector<char> is_used(soup.points.size(), 0);
+  std::size_t step = 0;
   for(const auto& [a, b, c] : soup.triangles) {
+    look_at(soup, step++);
     sets.union_set(a, b);
     sets.union_set(b, c);
     is_used[a] = is_used[b] = is_used[c] = 1;

@@ -30,6 +30,33 @@ struct Soup
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// While an object lives, what makes or examines a mesh in this thread calls a function now and
+/// then, with about the number of faces that the mesh has so far. The function may throw.
+class Watch_guard
+{
+public:
+  using Look = std::function<void(std::size_t)>;
+
+  explicit Watch_guard(Look look);
+  ~Watch_guard();
+  Watch_guard(const Watch_guard&) = delete;
+  Watch_guard& operator=(const Watch_guard&) = delete;
+
+private:
+  const Look look_;
+  const Look* const previous_;
+};
+
+/// calls that function, if there is one.
+void look_at(const Soup& soup);
+
+/// the same after every so many steps.
+inline void look_at(const Soup& soup, std::size_t step) {
+  constexpr std::size_t steps_between = std::size_t(1) << 16;
+  if(step % steps_between == 0)
+    look_at(soup);
+}
+
 /// A request. The genus, summed over the components, is exact; the number of faces is within about
 /// 20% where the kind allows it. The same request gives the same mesh.
 struct Request

@@ -217,6 +217,7 @@ public:
 
   void march() {
     for(int slice = -1; slice < lattice_.slices(); ++slice) {
+      look_at(soup_);
       sample(slice + 1);
       for(int direction = 1; direction <= last_flat_direction; ++direction)
         place_vertices(slice + 1, direction, upper_, upper_, in_upper_);

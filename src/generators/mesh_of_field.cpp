@@ -131,6 +131,7 @@ private:
 void approach_surface(Soup& soup, const Field& field, double limit) {
   const std::vector<Vector> normals = vertex_normals(soup);
   for(std::uint32_t v = 0; v < soup.points.size(); ++v) {
+    look_at(soup, v);
     const double normal_length = length(normals[v]);
     if(normal_length == 0.)
       continue;
@@ -168,6 +169,7 @@ void relax(Soup& soup, int rounds) {
       ++degree[v];
   std::vector<std::array<double, 3>> sum(soup.points.size());
   for(int round = 0; round < rounds; ++round) {
+    look_at(soup);
     sum.assign(sum.size(), {0., 0., 0.});
     // Each edge is seen once in each direction: from a to b here, from b to a across it.
     for(const auto& triangle : soup.triangles)

@@ -103,6 +103,7 @@ private:
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     Triangulation triangulation;
     const auto insert = [&](const Vertex& vertex) {
+      look_at(soup_);
       const auto& point = soup_.points[vertex.low];
       const auto handle = triangulation.insert({point[u], point[v]});
       handle->info() = vertex;
@@ -116,8 +117,10 @@ private:
       std::vector<typename Triangulation::Vertex_handle> polygon;
       for(Index i = 0; i < bores_[b].corners; ++i)
         polygon.push_back(insert({first_[b] + 2 * i, first_[b] + 2 * i + 1, static_cast<int>(b)}));
-      for(std::size_t i = 0; i < polygon.size(); ++i)
+      for(std::size_t i = 0; i < polygon.size(); ++i) {
+        look_at(soup_);
         triangulation.insert_constraint(polygon[i], polygon[(i + 1) % polygon.size()]);
+      }
     }
     for(const auto face : triangulation.finite_face_handles())
       add_on_both_sides(face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info());

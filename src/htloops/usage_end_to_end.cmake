@@ -30,6 +30,38 @@ run(2 remove mesh.off more.off --all)
 expect_match("${errors}" "'more.off' is one file too many; -o names the file for the result\n")
 run(2 generate)
 expect_match("${errors}" "a kind of mesh is required, such as torus\n")
+
+# Letters that changed places. One name shows all rows; another one is an action.
+run(2 loops mesh.off --cvs a.csv)
+expect_match("${errors}" "did you mean '--csv'[?]")
+foreach(command IN ITEMS loops measure reeb skeleton)
+  run(2 ${command} mesh.off --all)
+  expect_match("${errors}" "did you mean '--all-rows'[?]")
+  run(0 ${command} mesh.off --all-rows)
+endforeach()
+
+# A name that begins with a dash.
+configure_file("${FOLDER}/mesh.off" "${FOLDER}/-dash.off" COPYONLY)
+foreach(arguments IN ITEMS "-dash.off" "mesh.off;-dash.off" "mesh.off;-o;-dash.off")
+  run(2 loops ${arguments})
+  expect_match("${errors}" "-dash.off looks like an option; for a file of that name, write ./-dash.off\n")
+endforeach()
+run(0 loops ./-dash.off -q)
+
+# Sizes as people write them.
+run(0 loops --help)
+if(output MATCHES "--picture")
+  foreach(size IN ITEMS "--size;64,48" "--size;64x48" "--size=64x48")
+    run(0 loops mesh.off -q --picture size.png ${size})
+    file(SHA256 "${FOLDER}/size.png" sum)
+    list(APPEND sums ${sum})
+  endforeach()
+  list(REMOVE_DUPLICATES sums)
+  list(LENGTH sums number)
+  expect_equal("${number}" 1)
+  run(2 loops mesh.off -q --picture size.png --size 64x)
+endif()
+
 # What options take.
 foreach(case IN ITEMS "loops;--box;1,2;--box takes 6 values: x,y,z,X,Y,Z" "loops;mesh.off;--csv;--csv needs a value: FILE.csv"
     "loops;--threads;0;--threads: 0 is not a number from 1 to 1024" "loops;--sort;big;--sort: 'big' is not one of length, noise"
@@ -123,7 +155,7 @@ endforeach()
 
 # What is refused for its mesh writes nothing either.
 foreach(arguments IN ITEMS "loops --seed 1000000" "reeb --seed 1000000" "loops --throats --through 1000000"
-    "remove --dry-run --pairs 7" "remove --dry-run --genus 7")
+    "remove --dry-run --pairs 7")
   string(REPLACE " " ";" arguments "${arguments}")
   run(2 ${arguments} mesh.off --write-mesh written.off)
   if(EXISTS "${FOLDER}/written.off")

@@ -245,6 +245,7 @@ Checked_loops check_loops(const Input_file& file, const Mended_mesh& mended, Pro
     return checked;
   }
   checked.certificate = certify(mesh, loops.pairs, loops.basis_kind, true);
+  checked.components = components_of_pairs(mesh, loops.pairs);
   const Certificate& certificate = checked.certificate;
   checked.is_boundary_of_solid = loops.pairs.empty() || !touches_itself(mesh, throw_if_interrupted);
   // The worst first: loops that are no basis. Names mean nothing where there is no inside.

@@ -30,6 +30,7 @@ struct Checked_loops
 {
   std::vector<std::string> problems;
   Certificate certificate;
+  std::vector<std::size_t> components; ///< that the pairs are on
   bool is_boundary_of_solid = true;
   std::map<std::string, std::set<std::string>> not_compared;
 };

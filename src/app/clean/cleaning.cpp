@@ -85,7 +85,6 @@ public:
   }
 
   Cleaned_mesh operator()() {
-    const Stopwatch stopwatch;
     progress_.start("clean");
     close_surface();
     const double longest = absolute(options_.channel_length, mesh_);
@@ -93,20 +92,14 @@ public:
       take(close_channels(result_.mesh, loops(), longest, options_, progress_));
     drop_parts();
     if(options_.has(Clean_step::HANDLES))
-      take(remove_small_handles(result_.mesh, loops(), noise(), options_, progress_));
+      take(remove_small_handles(result_.mesh, loops(), diagonal_of(mesh_), options_, progress_));
     find_replaced_faces();
     const Changeable_copy copy(result_.mesh);
     result_.after = state_of(copy.mesh, measured_parts(copy.mesh), crossings_);
-    result_.total_seconds = stopwatch.seconds();
     return std::move(result_);
   }
 
 private:
-  std::optional<double> noise() const {
-    return options_.noise_below ? std::optional(absolute(*options_.noise_below, mesh_))
-                                : std::nullopt;
-  }
-
   void go_on_with(const Changed_mesh& changed) {
     loops_.reset();
     static_cast<Changed_mesh&>(result_) = composed(result_, changed);

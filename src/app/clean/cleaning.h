@@ -48,7 +48,8 @@ struct Clean_options
   double floater_share = 2e-4;                               ///< of the volume; see `fates_of()`
   std::optional<std::size_t> genus = std::nullopt;           ///< that handles are removed down to
   std::optional<Relative_length> noise_below = std::nullopt; ///< handles this thin or narrow go
-  int number_of_threads = 0;                                 ///< 0: as many as the machine has
+  bool is_sure = false;      ///< whatever handles these are; see `check_noise()`
+  int number_of_threads = 0; ///< 0: as many as the machine has
 
   bool has(Clean_step step) const { return steps.test(static_cast<std::size_t>(step)); }
 };
@@ -83,7 +84,6 @@ struct Cleaned_mesh : Changed_mesh
   Mesh_state before, after;
   std::vector<Face_fate> fates;                 ///< of each face before
   std::vector<std::vector<Point>> closed_loops; ///< of channels and handles that were removed
-  double total_seconds = 0.;
 
   bool is_closed() const { return after.boundaries == 0 && after.faces > 0; }
 };

@@ -69,10 +69,20 @@ std::string words_of_wider_channels(const Mesh& mesh,
              : formatted("--channels %.3g%% would close ", percent) + words_of_channels(report);
 }
 
-std::vector<std::size_t> pairs_of_noise(
-    const Mesh& mesh, const Pairs& pairs, double below, Clean_record& record, Progress& progress) {
+std::vector<std::size_t> pairs_of_noise(const Mesh& mesh,
+                                        const Pairs& pairs,
+                                        double diagonal,
+                                        const Clean_options& options,
+                                        Clean_record& record,
+                                        Progress& progress) {
   constexpr double precision = 0.01;
+  const auto [value, is_share] = *options.noise_below;
+  const double below = is_share ? value * diagonal : value;
   const Measures measures = find_measures(mesh, pairs, precision, progress);
+  if(!options.is_sure)
+    check_noise(pairs, measures,
+                is_share ? formatted("%.6g%%", 100. * value) : formatted("%.6g", value), below,
+                diagonal);
   const Noisy_pairs noisy = noisy_pairs(pairs, measures, below);
   record.undecided = noisy.undecided.size();
   for(std::size_t i : noisy.undecided)
@@ -122,10 +132,11 @@ Handle_step close_channels(const Mesh& mesh,
 
 Handle_step remove_small_handles(const Mesh& mesh,
                                  const Pairs& pairs,
-                                 const std::optional<double>& noise_below,
+                                 double diagonal,
                                  const Clean_options& options,
                                  Progress& progress) {
   Handle_step step{{Clean_step::HANDLES}};
+  const auto& noise_below = options.noise_below;
   if(!noise_below && !options.genus && !pairs.empty())
     step.record.left = {words_of_left(mesh, pairs)};
   if(pairs.size() < options.genus.value_or(0))
@@ -138,7 +149,7 @@ Handle_step remove_small_handles(const Mesh& mesh,
   if(options.genus)
     wanted.target_genus = *options.genus;
   if(noise_below)
-    wanted.pairs = pairs_of_noise(mesh, pairs, *noise_below, step.record, progress);
+    wanted.pairs = pairs_of_noise(mesh, pairs, diagonal, options, step.record, progress);
   Removal_answer answer = remove_handles(mesh, pairs, wanted, progress);
   step.record.count = answer.report.removed.size();
   if(step.record.count > 0)

@@ -31,10 +31,11 @@ Handle_step close_channels(
     const Mesh& mesh, const Pairs& pairs, double most, const Clean_options& options, Progress&);
 
 /// removes handles down to a genus, or those of which the thickness or the clear width is less than
-/// a length; if neither is asked for, tells how many there are.
+/// a length, where percentages are of the given diagonal; if neither is asked for, tells how many
+/// there are.
 Handle_step remove_small_handles(const Mesh& mesh,
                                  const Pairs& pairs,
-                                 const std::optional<double>& noise_below,
+                                 double diagonal,
                                  const Clean_options& options,
                                  Progress& progress);
 

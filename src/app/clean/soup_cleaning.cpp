@@ -91,7 +91,6 @@ Cleaned_soup clean(Soup soup,
                    const Clean_options& options,
                    const std::optional<Relative_length>& weld,
                    Progress& progress) {
-  const Stopwatch stopwatch;
   const std::size_t vertices = soup.points.size(), faces = soup.faces.size();
   Soup_as_mesh made = mesh_for_cleaning(std::move(soup), options, weld);
   Cleaned_soup result{clean(made.mesh, options, progress), std::move(made.mesh), vertices, faces};
@@ -106,7 +105,6 @@ Cleaned_soup clean(Soup soup,
     trace(*origins, [&](std::uint32_t f) { return mended.face_in_file[f]; });
   if(options.has(Clean_step::REPAIR))
     result.records.insert(result.records.begin(), std::move(made.record));
-  result.total_seconds = stopwatch.seconds();
   return result;
 }
 

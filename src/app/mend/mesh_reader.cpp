@@ -73,27 +73,28 @@ bool is_only(const std::vector<Change>& changes, Change_kind kind, const Defect&
   });
 }
 
-std::string promise_of(const Remedies& remedies) {
-  return remedies.do_triangulate && remedies.do_repair ? "--triangulate and --repair together fix"
-         : remedies.do_triangulate                     ? "--triangulate fixes"
-                                                       : "--repair fixes";
-}
-
 // In a word where that says it all, else in full what it would do.
 std::string words_for(const Remedies& remedies,
+                      const Remedies& given,
                       const std::vector<Defect>& defects,
                       const std::vector<Change>& changes) {
   const Defect& first = defects.front();
   const bool is_one = first.count == 1;
+  const std::string repair =
+      given.do_repair && !given.steps.all() ? "--repair without --repair-steps" : "--repair";
   if(defects.size() == 1) {
     if(is_only(changes, Change_kind::FACES_TRIANGULATED, first))
       return std::string("--triangulate splits ") + (is_one ? "it" : "them") + " into triangles";
     if(is_only(changes, Change_kind::DEGENERATE_FACES_DROPPED, first))
-      return std::string("--repair drops ") + (is_one ? "it" : "them");
+      return repair + " drops " + (is_one ? "it" : "them");
     if(is_only(changes, Change_kind::VERTICES_SPLIT, first))
-      return std::string("--repair splits ") + (is_one ? "it" : "them");
+      return repair + " splits " + (is_one ? "it" : "them");
   }
-  return promise_of(remedies) + " this:" + lines_of(changes);
+  return (remedies.do_triangulate && remedies.do_repair
+              ? "--triangulate and " + repair + " together fix"
+          : remedies.do_triangulate ? "--triangulate fixes"
+                                    : repair + " fixes") +
+         " this:" + lines_of(changes);
 }
 
 bool is_said_to_be_one_sided(const std::vector<Defect>& defects) {
@@ -138,7 +139,7 @@ words_on_remedy(const Soup& soup, const std::vector<Defect>& defects, const Reme
     const Mended_soup mended = mend(soup, remedies);
     is_one_sided = mended.is_one_sided;
     if(!are_all_given && diagnose(mended.soup).empty())
-      return words_for(remedies, defects, mended.changes);
+      return words_for(remedies, given, defects, mended.changes);
   }
   if(is_one_sided && !is_said_to_be_one_sided(defects))
     return "no option fixes this: the surface is not orientable";

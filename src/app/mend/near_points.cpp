@@ -12,6 +12,7 @@
 #include "failure.h"
 #include "interrupt.h"
 #include "mend/steps.h"
+#include "read/soup_diagnosis.h"
 #include "words.h"
 
 #include <CGAL/Bbox_3.h>
@@ -154,6 +155,29 @@ std::size_t number_of_single_triangles(const Mesh& mesh) {
   return number;
 }
 
+// The options that weld what lies near, found out by trying.
+const char* words_on_welding(const Mesh& mesh, bool is_exact) {
+  Soup soup{{mesh.points().begin(), mesh.points().end()}, {}};
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    soup.add_face(std::array<std::uint32_t, 3>{mesh.source(h).idx(), mesh.target(h).idx(),
+                                               mesh.target(mesh.next(h)).idx()});
+  }
+  const Repair_steps all = Remedies().steps;
+  const Relative_length length = {near_share, true};
+  const std::pair<Remedies, const char*> candidates[] = {
+      {{false, true, all}, "--repair welds them"},
+      {{false, false, all, length}, "--weld 0.001% welds them"},
+      {{false, true, all, length}, "--weld 0.001% and --repair together weld them"}};
+  for(const auto& [remedies, words] : candidates)
+    try {
+      if(remedies.weld.has_value() != is_exact && diagnose(mend(soup, remedies).soup).empty())
+        return words;
+    } catch(const Failure&) { // an edge would get more than two faces
+    }
+  return "no option welds them to a surface";
+}
+
 } // namespace
 
 std::vector<std::uint32_t> nearest_before(const std::vector<Point>& points,
@@ -208,8 +232,7 @@ std::string Near_boundary::words() const {
               ? ", and " + counted(single_triangles, "component is a single triangle",
                                    "components are single triangles")
               : "") +
-         (is_exact ? ": --repair welds them"
-                   : ": they nearly coincide, and --weld 0.001% welds them");
+         (is_exact ? ": " : ": they nearly coincide, and ") + remedy;
 }
 
 Near_boundary near_boundary_of(const Mesh& mesh) {
@@ -253,7 +276,10 @@ Near_boundary near_boundary_of(const Mesh& mesh) {
     found.near_edges += number > 1 ? static_cast<std::size_t>(number) : 0;
   });
   found.edges = edges.size();
-  found.single_triangles = found.near_edges > 0 ? number_of_single_triangles(mesh) : 0;
+  if(found.near_edges > 0) {
+    found.single_triangles = number_of_single_triangles(mesh);
+    found.remedy = words_on_welding(mesh, found.is_exact);
+  }
   return found;
 }
 

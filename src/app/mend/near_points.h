@@ -36,7 +36,8 @@ void weld_near_points(Mended_soup& mended, double length);
 struct Near_boundary
 {
   std::size_t edges = 0, near_edges = 0, single_triangles = 0;
-  bool is_exact = true; ///< whether what lies nearly at the same place lies just there
+  bool is_exact = true;    ///< whether what lies nearly at the same place lies just there
+  const char* remedy = ""; ///< which options weld it, in words
 
   /// what a person is told of it; empty if there is nothing to tell.
   std::string words() const;

@@ -12,6 +12,7 @@
 
 #include "failure.h"
 #include "read/input_file.h"
+#include "read/json_errors.h"
 
 #include <nlohmann/json.hpp>
 
@@ -136,7 +137,8 @@ template <typename Read> auto read_json(const Input_file& file, Read read) {
     return read(Json_node{document});
   } catch(const Json::exception& exception) {
     throw Failure(Exit_code::UNREADABLE_FILE,
-                  file.name() + " is not valid JSON: " + exception.what());
+                  file.name() + " is not valid JSON: " +
+                      words_of_json_error(exception.what(), file.content()));
   } catch(const Failure& failure) {
     const std::string what = failure.what(), name = file.name() + ": ";
     throw Failure(failure.code(), what.compare(0, name.size(), name) == 0 ? what : name + what);

@@ -62,6 +62,7 @@ using Costs = std::vector<CGAL::Handle_tunnel_loops::Removal_costs>;
 struct Answer
 {
   Pairs pairs;
+  std::vector<std::size_t> components; ///< that the pairs are on; empty if there is one
   Boundaries boundaries;
   Bores bores;
   Measures measures;

@@ -53,4 +53,13 @@ std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t nu
   return component;
 }
 
+std::vector<std::size_t> components_of_pairs(const Mesh& mesh, const Pairs& pairs) {
+  const std::vector<std::size_t> of_vertices =
+      components_of_vertices(mesh, mesh.number_of_vertices());
+  std::vector<std::size_t> components;
+  for(const Pair& pair : pairs)
+    components.push_back(of_vertices[mesh.source(pair.handle().steps().front().halfedge).idx()]);
+  return components;
+}
+
 } // namespace htloops

@@ -34,6 +34,9 @@ Boundaries find_boundaries(const Mesh& mesh, bool do_find_waists);
 /// by vertex, the number of its component, of so many: in the order of their smallest vertices.
 std::vector<std::size_t> components_of_vertices(const Mesh& mesh, std::size_t number);
 
+/// by pair, the number of the component that it is on, counted in the same way.
+std::vector<std::size_t> components_of_pairs(const Mesh& mesh, const Pairs& pairs);
+
 } // namespace htloops
 
 #endif // HTLOOPS_BOUNDARIES_H

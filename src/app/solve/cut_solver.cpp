@@ -128,15 +128,12 @@ Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& prog
   const Thread_limit limit(options.number_of_threads);
   progress.start("cut");
   Cut_answer answer;
-  answer.number_of_threads = limit.number_of_threads();
-  const Stopwatch stopwatch;
   std::vector<char> is_cone(mesh.number_of_vertices(), 0);
   for(const Mesh::Vertex_index v : options.cones)
     is_cone[v.idx()] = 1;
   answer.edges = edges_of_cut(mesh, options, is_cone, progress);
   if(options.do_cut_spheres && add_cones_at_lone_edges(mesh, options, answer.edges, is_cone))
     answer.edges = edges_of_cut(mesh, options, is_cone, progress);
-  answer.total_seconds = stopwatch.seconds();
   progress.end();
   answer.genus = genus_of(mesh);
   for(const Mesh::Edge_index e : answer.edges)
@@ -151,9 +148,7 @@ Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& prog
 Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& progress) {
   const Thread_limit limit(number_of_threads);
   progress.start("dual cuts");
-  const Stopwatch stopwatch;
   Dual_cuts result;
-  result.number_of_threads = limit.number_of_threads();
   Pairs pairs;
   CGAL::Handle_tunnel_loops_solver<Mesh> solver(All_threads_tag(), mesh,
                                                 CGAL::parameters::default_values());
@@ -167,7 +162,6 @@ Dual_cuts find_dual_cuts(const Mesh& mesh, int number_of_threads, Progress& prog
       basis_of(mesh, pairs, result.boundaries, solver.number_of_components());
   for(std::size_t i = 0; i < cuts.size(); ++i)
     result.cuts.push_back({basis[i], std::move(cuts[i])});
-  result.total_seconds = stopwatch.seconds();
   progress.end();
   return result;
 }

@@ -36,8 +36,6 @@ struct Cut_answer
   std::size_t genus = 0; ///< of the mesh, summed over its components
   double length = 0.;
   double boundary_length = 0.; ///< of the opened mesh
-  double total_seconds = 0.;
-  int number_of_threads = 0;
 };
 
 Cut_answer find_cut(const Mesh& mesh, const Cut_options& options, Progress& progress);
@@ -54,8 +52,6 @@ struct Dual_cuts
   std::vector<Dual_cut> cuts;
   std::vector<Loop> boundaries;                     ///< all boundary curves
   CGAL::Handle_tunnel_loops::Statistics statistics; ///< of the loops
-  double total_seconds = 0.;
-  int number_of_threads = 0;
 };
 
 /// the length of all cuts, which counts an edge as often as they run along it.

@@ -9,6 +9,7 @@
 
 #include "solve/details.h"
 
+#include "failure.h"
 #include "words.h"
 
 #include <CGAL/Handle_tunnel_loops/round_bores.h>
@@ -18,7 +19,11 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <iterator>
+#include <string>
+#include <vector>
 
 namespace htloops {
 
@@ -79,10 +84,41 @@ std::string words_of_doubt(const Measure& measure, const Pair& pair) {
          (measure.why.empty() ? "" : ": " + measure.why);
 }
 
+void check_noise(const Pairs& pairs,
+                 const Measures& measures,
+                 const std::string& text,
+                 double below,
+                 double diagonal) {
+  constexpr double largest_noise = 0.05; // noise is far smaller, and few handles of a scan are
+  constexpr std::size_t most_sizes = 10;
+  if(!(below > largest_noise * diagonal)) // as also where it is not a number
+    return;
+  std::vector<double> sizes;
+  for(std::size_t i : noisy_pairs(pairs, measures, below).below)
+    sizes.push_back(noise_of(measures[i], pairs[i]).most);
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  std::string list;
+  for(std::size_t i = 0; i < sizes.size() && i < most_sizes; ++i)
+    list += (i == 0 ? " " : ", ") + formatted("%.4g", sizes[i]);
+  if(sizes.size() > most_sizes)
+    list += " and " + std::to_string(sizes.size() - most_sizes) + " smaller ones";
+  throw wrong_usage(
+      "--noise-below " + text +
+      formatted(" is %.3g%% of the diagonal of the bounding box", 100. * (below / diagonal)) +
+      ": it would remove " +
+      (sizes.empty() ? "no handle"
+                     : counted(sizes.size(), "handle", "handles") +
+                           ", with a thickness or clear width of" + list) +
+      ". " + (text.back() == '%' || below > 100. ? "" : "Did you mean " + text + "%? ") +
+      "Use --yes to do it anyway");
+}
+
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer) {
   const Stopwatch stopwatch;
   if(answer.statistics.number_of_boundaries > 0)
     answer.boundaries = find_boundaries(mesh, do_find_waists);
+  if(answer.statistics.number_of_components > 1)
+    answer.components = components_of_pairs(mesh, answer.pairs);
   answer.bores = find_bores(mesh, answer.pairs);
   answer.total_seconds += stopwatch.seconds();
 }

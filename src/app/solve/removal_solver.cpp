@@ -113,7 +113,9 @@ Removal_answer remove_handles(const Mesh& mesh,
                               Progress& progress) {
   const Thread_limit limit(options.number_of_threads);
   progress.start("remove");
-  const CGAL::Handle_tunnel_loops::Removal_options& wanted = options;
+  CGAL::Handle_tunnel_loops::Removal_options wanted = options;
+  if(wanted.target_genus && *wanted.target_genus > pairs.size()) // nothing is to do
+    wanted.target_genus = pairs.size();
   Changeable_copy copy(mesh);
   const Changeable_pairs loops = copy.pairs(pairs);
   Face_parents parents;
@@ -124,10 +126,8 @@ Removal_answer remove_handles(const Mesh& mesh,
                             .face_to_face_map(boost::make_assoc_property_map(parents));
   Removal_answer answer;
   answer.number_of_threads = limit.number_of_threads();
-  const Stopwatch stopwatch;
   answer.report = remove_as_wanted(
       copy.mesh, parameters::removal_options(wanted, parameters::known_loops(loops, filtered)));
-  answer.total_seconds = stopwatch.seconds();
   progress.end();
   static_cast<Changed_mesh&>(answer) = changed_mesh(copy.mesh, mesh, parents);
   answer.patches = patches_of(answer, patches);

@@ -42,7 +42,6 @@ struct Removal_answer : Changed_mesh
 
   Removal_report report;
   std::vector<std::size_t> patches; ///< by face, the `Removed_handle::patch` of which it is a cap
-  double total_seconds = 0.;
   int number_of_threads = 1;
 };
 

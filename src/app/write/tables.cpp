@@ -15,7 +15,11 @@
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -36,6 +40,48 @@ std::string words(const std::vector<Loop_linking::Number>& numbers, std::size_t 
     text += (text.empty() ? "" : "; ") + std::to_string(numbers[i].second) + " with " +
             (numbers[i].first == loop ? "itself" : name_of_loop(numbers[i].first));
   return text + (numbers.size() > largest_number_of_numbers ? "; ..." : "");
+}
+
+/// By two components, how often which of their loops are linked.
+using Component_links =
+    std::map<std::array<std::size_t, 2>, std::map<std::array<std::size_t, 2>, std::int64_t>>;
+
+// Loops of different components have one linking number, whichever is pushed.
+void add_links(std::size_t loop,
+               const Loop_linking& linking,
+               const std::vector<std::size_t>& components,
+               Component_links& links) {
+  for(const auto& [other, number] : linking.row) {
+    const std::size_t i = (std::min)(loop, other), j = (std::max)(loop, other);
+    const auto [first, last] = std::minmax(components[i / 2], components[j / 2]);
+    if(first != last)
+      links[{first, last}][{i, j}] = std::abs(number);
+  }
+}
+
+// "components 0 and 1 are linked once (pair 0, tunnel, with pair 1, tunnel)"
+std::vector<std::string> lines_of_links(const Component_links& links) {
+  constexpr std::size_t most_loops = 4;
+  std::vector<std::string> lines;
+  for(const auto& [both, numbers] : links) {
+    std::string line = "components " + std::to_string(both[0]) + " and " + std::to_string(both[1]) +
+                       " are linked ";
+    std::size_t count = 0;
+    for(const auto& [loops, number] : numbers) {
+      if(count == most_loops) {
+        line +=
+            ", and by " + counted(numbers.size() - count, "more pair", "more pairs") + " of loops";
+        break;
+      }
+      line += (count++ == 0 ? "" : ", ") +
+              (number == 1   ? std::string("once")
+               : number == 2 ? std::string("twice")
+                             : std::to_string(number) + " times") +
+              " (" + name_of_loop(loops[0]) + ", with " + name_of_loop(loops[1]) + ")";
+    }
+    lines.push_back(line);
+  }
+  return lines;
 }
 
 std::string in_colour(const std::string& text, Loop_type type) {
@@ -72,7 +118,7 @@ template <typename Row> std::string table_rows(std::size_t count, bool show_all,
   for(std::size_t i = 0; i < count; ++i) {
     if(!is_whole && i == first_rows) {
       i = count - last_rows;
-      rows += "  ... " + std::to_string(i - first_rows) + " more (--all shows them)\n";
+      rows += "  ... " + std::to_string(i - first_rows) + " more (--all-rows shows them)\n";
     }
     rows += row(i);
   }
@@ -126,14 +172,14 @@ std::string remarks(const CGAL::Handle_tunnel_loops::Field_resolution& resolutio
 std::string reasons(const Answer& answer, bool show_all) {
   if(answer.certificate.basis_kind != Basis_kind::PURE)
     return "";
-  const std::vector<std::string> lines = remarks_on_sides(answer.certificate);
+  const std::vector<std::string> lines = remarks_on_sides(answer.certificate, answer.components);
   constexpr std::size_t most_lines = 5;
   const std::size_t shown = show_all ? lines.size() : (std::min)(lines.size(), most_lines);
   std::string text;
   for(std::size_t i = 0; i < shown; ++i)
     text += "  " + lines[i] + "\n";
   if(shown < lines.size())
-    text += "  ... " + std::to_string(lines.size() - shown) + " more (--all shows them)\n";
+    text += "  ... " + std::to_string(lines.size() - shown) + " more (--all-rows shows them)\n";
   return text;
 }
 
@@ -304,20 +350,29 @@ std::string summary_of_sides(const Certificate& certificate) {
                     std::to_string(tunnels_alone));
 }
 
-std::vector<std::string> remarks_on_sides(const Certificate& certificate) {
+std::vector<std::string> remarks_on_sides(const Certificate& certificate,
+                                          const std::vector<std::size_t>& components) {
+  Component_links links;
   std::vector<std::string> lines;
   for(std::size_t i = 0; i < certificate.linking.size(); ++i) {
     const Loop_linking& linking = certificate.linking[i];
     if(!linking.problem.empty())
       lines.push_back(name_of_loop(i) + ": undecided, " + linking.problem);
-    else if(!linking.bounds_inside() && !linking.bounds_outside())
+    else if(linking.bounds_inside() || linking.bounds_outside())
+      continue;
+    else if(!components.empty() &&
+            (linking.bounds_inside_component || linking.bounds_outside_component))
+      add_links(i, linking, components, links);
+    else
       lines.push_back(
           name_of_loop(i) +
           ": bounds on neither side; its linking numbers with loops pushed outward are (" +
           words(linking.row, i) + "), those of loops with it pushed outward are (" +
           words(linking.column, i) + ")");
   }
-  return lines;
+  std::vector<std::string> all = lines_of_links(links);
+  all.insert(all.end(), lines.begin(), lines.end());
+  return all;
 }
 
 Pair_columns::Pair_columns(const Pair_listing& listing)

@@ -56,8 +56,11 @@ const char* word_for_side_alone(const Loop_linking& linking);
 /// how many loops bound where; empty if linking numbers were not computed.
 std::string summary_of_sides(const Certificate& certificate);
 
-/// a line for each loop that bounds on neither side or may do so, with the numbers that show it.
-std::vector<std::string> remarks_on_sides(const Certificate& certificate);
+/// why loops bound on neither side: a line for each two linked components, and for each loop that
+/// would not bound without the others either, or of which it is undecided. `components` are those
+/// of the pairs; none if there is only one.
+std::vector<std::string> remarks_on_sides(const Certificate& certificate,
+                                          const std::vector<std::size_t>& components);
 
 struct Table_options
 {

@@ -34,7 +34,8 @@ struct Check_options : Mesh_options
 };
 
 // What has been found to be right, and what is no failure but should be known.
-std::string praise(const Certificate& certificate, bool has_boundary, bool is_boundary_of_solid) {
+std::string praise(const Checked_loops& checked, bool has_boundary) {
+  const Certificate& certificate = checked.certificate;
   const std::size_t number_of_loops = certificate.linking.size();
   if(number_of_loops == 0)
     return has_boundary ? "no loops; all boundary curves except one per component are a basis of "
@@ -45,11 +46,12 @@ std::string praise(const Certificate& certificate, bool has_boundary, bool is_bo
       " loops are closed, lie on the surface and are a basis of H1(S; Z)" +
       (has_boundary ? " with all boundary curves except one per component" : "");
   std::vector<std::string> remarks;
-  if(!is_boundary_of_solid)
+  if(!checked.is_boundary_of_solid)
     remarks.push_back(
         "the surface touches or crosses itself: there is no inside or outside there, and "
         "linking numbers alone decide which loops bound");
-  for(const auto& lines : {lines_of(certificate.failure), remarks_on_sides(certificate)})
+  for(const auto& lines :
+      {lines_of(certificate.failure), remarks_on_sides(certificate, checked.components)})
     remarks.insert(remarks.end(), lines.begin(), lines.end());
   return text + (certificate.pairing ? "; each tunnel loop crosses its handle loop once\n" : "\n") +
          summary_of_sides(certificate) + indented(remarks);
@@ -77,9 +79,8 @@ void check_loops_in(const Check_options& options,
   require_none(options.loops_file, checked.problems);
   if(!options.is_quiet)
     show_text(printable(options.loops_file) + ": " +
-                  praise(checked.certificate, !CGAL::is_closed(mended.mesh),
-                         checked.is_boundary_of_solid) +
-                  words_on(checked.not_compared) + "\n",
+                  praise(checked, !CGAL::is_closed(mended.mesh)) + words_on(checked.not_compared) +
+                  "\n",
               false);
 }
 

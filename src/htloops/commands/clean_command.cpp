@@ -84,6 +84,7 @@ Clean_options clean_options(const Clean_command_options& options) {
     result.floater_share = share_of(options.floaters);
   result.genus = options.genus;
   result.noise_below = relative_length("--noise-below", options.noise_below);
+  result.is_sure = options.is_sure || options.is_dry_run;
   result.number_of_threads = options.number_of_threads;
   return result;
 }
@@ -181,12 +182,12 @@ void run(const Clean_command_options& options) {
   const Cleaned_soup result = cleaned(std::move(soup), options);
   write_files(options, file, sizes, facts, result);
   if(!options.is_quiet)
-    show_text(
-        table_of_cleaning(result) + words_of_unit(facts.unit) +
-            formatted("%.2f s after %.2f s of reading\n", result.total_seconds, read_seconds) +
-            (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
-        options.result_file == "-" || options.json_file == "-" || options.page_file == "-" ||
-            options.map_file == "-");
+    show_text(table_of_cleaning(result) + words_of_unit(facts.unit) +
+                  formatted("%.2f s after %.2f s of reading\n", stopwatch.seconds() - read_seconds,
+                            read_seconds) +
+                  (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
+              options.result_file == "-" || options.json_file == "-" || options.page_file == "-" ||
+                  options.map_file == "-");
   std::string missed;
   if(!result.is_closed())
     missed = "the result is not closed: " +

@@ -37,6 +37,9 @@ void add_generate_command(CLI::App& app, Command& command);
 /// writes the range of `--bores` out where none is given: what follows may be the name of a mesh.
 void write_out_bores(std::vector<std::string>& arguments);
 
+/// writes a size that is given as 900x600 as the list that it is.
+void write_out_size(std::vector<std::string>& arguments);
+
 /// throws `Failure`, saying how it is written, where the words of a command line have a list that
 /// is not written as all lists are: 1,2,3.
 void check_lists(const CLI::App& tool, const std::vector<std::string>& arguments);

@@ -105,46 +105,40 @@ void write_files(const Cut_command_options& options,
                mended.facts.unit);
 }
 
-std::string words_of_cut(const Cut_answer& answer, double read_seconds) {
+std::string words_of_cut(const Cut_answer& answer) {
   const std::string cut = answer.edges.empty()
                               ? "nothing to cut"
                               : "cut along " + counted(answer.edges.size(), "edge", "edges") +
                                     formatted(" of total length %.6g, boundary of %.6g",
                                               answer.length, answer.boundary_length);
-  return "genus " + std::to_string(answer.genus) + ": " + cut +
-         formatted("; %.2f s after %.2f s of reading, ", answer.total_seconds, read_seconds) +
-         counted(static_cast<std::size_t>(answer.number_of_threads), "thread", "threads") + "\n";
+  return "genus " + std::to_string(answer.genus) + ": " + cut + "\n";
 }
 
 // To disks; says how.
-std::string
-cut_to_disks(const Cut_command_options& options, const Mended_mesh& mended, double seconds) {
+std::string cut_to_disks(const Cut_command_options& options, const Mended_mesh& mended) {
   const Cut_answer answer = solve(mended, options);
-  const std::string words = words_of_cut(answer, seconds);
+  const std::string words = words_of_cut(answer);
   if(!options.seams_file.empty())
     write_seam_script(options.seams_file, options.mesh_file, mended.mesh, answer.edges);
   write_files(options, mended, answer, words);
   return words;
 }
 
-std::string words_of_dual_cuts(const Mesh& mesh, const Dual_cuts& duals, double read_seconds) {
+std::string words_of_dual_cuts(const Mesh& mesh, const Dual_cuts& duals) {
   const std::string cuts = duals.cuts.empty()
                                ? "no dual cuts"
                                : counted(duals.cuts.size(), "dual cut", "dual cuts") +
                                      formatted(" of total length %.6g", length_of(mesh, duals));
-  return "genus " + std::to_string(duals.statistics.genus) + ": " + cuts +
-         formatted("; %.2f s after %.2f s of reading, ", duals.total_seconds, read_seconds) +
-         counted(static_cast<std::size_t>(duals.number_of_threads), "thread", "threads") + "\n";
+  return "genus " + std::to_string(duals.statistics.genus) + ": " + cuts + "\n";
 }
 
 // Writes the dual cuts; says how many there are.
-std::string
-cut_across_loops(const Cut_command_options& options, const Mended_mesh& mended, double seconds) {
+std::string cut_across_loops(const Cut_command_options& options, const Mended_mesh& mended) {
   const Mesh& mesh = mended.mesh;
   Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   const Dual_cuts duals = find_dual_cuts(mesh, options.number_of_threads, bar);
   write_dual_cuts(options.dual_file, mesh, duals);
-  const std::string words = words_of_dual_cuts(mesh, duals, seconds);
+  const std::string words = words_of_dual_cuts(mesh, duals);
   if(options.is_to_disks())
     return words;
   const Exported_lines lines = lines_of(mesh, duals);
@@ -155,6 +149,14 @@ cut_across_loops(const Cut_command_options& options, const Mended_mesh& mended, 
   return words;
 }
 
+// With the time that has passed, at the end of the first line.
+std::string with_time(std::string words, double all_seconds, double read_seconds, int threads) {
+  const std::string time =
+      formatted("; %.2f s after %.2f s of reading, ", all_seconds - read_seconds, read_seconds) +
+      counted(static_cast<std::size_t>(threads), "thread", "threads");
+  return words.insert(words.find('\n'), time);
+}
+
 void run(const Cut_command_options& options) {
   check_options(options);
   const Stopwatch stopwatch;
@@ -163,11 +165,13 @@ void run(const Cut_command_options& options) {
   write_read_mesh(options, mended);
   std::string words;
   if(options.is_to_disks())
-    words += cut_to_disks(options, mended, read_seconds);
+    words += cut_to_disks(options, mended);
   if(!options.dual_file.empty())
-    words += cut_across_loops(options, mended, read_seconds);
+    words += cut_across_loops(options, mended);
   if(!options.is_quiet)
-    show_text(words + words_of_unit(mended.facts.unit),
+    show_text(with_time(words, stopwatch.seconds(), read_seconds,
+                        Thread_limit(options.number_of_threads).number_of_threads()) +
+                  words_of_unit(mended.facts.unit),
               options.opened_file == "-" || options.selection_file == "-" ||
                   options.dual_file == "-" || options.page_file == "-" ||
                   options.is_mesh_on_standard_output());

@@ -9,6 +9,7 @@
 
 #include "app/failure.h"
 #include "app/file_names.h"
+#include "app/interrupt.h"
 #include "app/read/input_file.h"
 #include "app/words.h"
 #include "app/write/mesh_writer.h"
@@ -16,9 +17,13 @@
 #include "commands/options.h"
 #include "generators/Shape.h"
 #include "generators/generators.h"
+#include "terminal/terminal.h"
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace htloops {
 namespace {
@@ -35,22 +40,25 @@ struct Generate_options
   bool is_quiet = false;
 };
 
-generators::Soup make_from_text(const Generate_options& options) {
+generators::Soup make_from_text(const Generate_options& options, std::size_t& expected_faces) {
   const generators::Shape shape(Input_file(options.text_file).content());
   generators::Request request = options.request;
   if(options.is_size_of_text)
-    request.faces = shape.faces();
+    request.faces = expected_faces = shape.faces();
   const auto mesh_of = [&shape](const generators::Request& r) {
     return generators::mesh_of_shape(shape, r, "shape");
   };
   return generators::make({"shape", "", mesh_of}, request);
 }
 
-generators::Soup generate(const generators::Kind& kind, const Generate_options& options) {
+generators::Soup generate(const generators::Kind& kind,
+                          const Generate_options& options,
+                          std::size_t& expected_faces) {
+  expected_faces = options.request.faces;
   try {
     const generators::Soup mesh = options.text_file.empty()
                                       ? generators::make(kind, options.request)
-                                      : make_from_text(options);
+                                      : make_from_text(options, expected_faces);
     return options.holes.number > 0 ? generators::with_holes(mesh, options.holes) : mesh;
   } catch(const std::invalid_argument& reason) {
     throw wrong_usage(reason.what());
@@ -68,13 +76,27 @@ std::string shape_of(const generators::Soup& mesh) {
 
 void run(const generators::Kind& kind, const Generate_options& options) {
   check_mesh_format(options.mesh_file);
-  const generators::Soup mesh = generate(kind, options);
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  std::size_t expected_faces = 0; // none while the mesh does not grow
+  const generators::Watch_guard watch([&](std::size_t faces) {
+    if(!bar.update(expected_faces == 0 ? 0. : double(faces) / double(expected_faces)))
+      throw Interrupted();
+  });
+  bar.start("generate");
+  const generators::Soup mesh = generate(kind, options, expected_faces);
+  bar.end();
+  expected_faces = 0;
+  bar.start("write");
+  const std::function<bool()> look = [&bar] { return !bar.update(0.); };
+  const Interrupt_question question(look);
   write_mesh(options.mesh_file, mesh);
-  if(!options.is_quiet)
-    show_text(printable(options.mesh_file) + ": " + std::to_string(mesh.points.size()) +
-                  " vertices, " + std::to_string(mesh.triangles.size()) + " faces, " +
-                  shape_of(mesh) + "\n",
-              options.mesh_file == "-");
+  if(options.is_quiet)
+    return;
+  const std::string text =
+      printable(options.mesh_file) + ": " + std::to_string(mesh.points.size()) + " vertices, " +
+      std::to_string(mesh.triangles.size()) + " faces, " + shape_of(mesh) + "\n";
+  bar.end();
+  show_text(text, options.mesh_file == "-");
 }
 
 template <typename Count>

@@ -15,6 +15,7 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -70,6 +71,17 @@ bool goes_on(const std::string& word, const CLI::Option& option) {
 }
 
 } // namespace
+
+void write_out_size(std::vector<std::string>& arguments) {
+  const std::string with_value = "--size=";
+  for(std::size_t i = 0; i < arguments.size(); ++i) {
+    std::string& word = arguments[i];
+    const bool has_name = boost::algorithm::starts_with(word, with_value);
+    if((has_name || (i > 0 && arguments[i - 1] == "--size")) &&
+       word.find_first_not_of("0123456789x", has_name ? with_value.size() : 0) == std::string::npos)
+      std::replace(word.begin(), word.end(), 'x', ',');
+  }
+}
 
 void check_lists(const CLI::App& tool, const std::vector<std::string>& arguments) {
   Lists lists;

@@ -137,8 +137,9 @@ void show(const Loops_options& options, const Mesh_line& line) {
 
 // Whatever happens to the mesh, there is a line about it where lines are asked for.
 void run_on_one_mesh(const Loops_options& options) {
+  const Stopwatch stopwatch;
   Line_files lines(options.csv_file, options.jsonl_file, options.kind_of_rows());
-  const Mesh_line line = line_of(options.mesh_file, [&] {
+  Mesh_line line = line_of(options.mesh_file, [&] {
     auto solved = read_and_solve(options, !options.is_quiet && is_terminal(stderr));
     write_files(options, solved.first, solved.second);
     return std::move(solved.second);
@@ -147,6 +148,7 @@ void run_on_one_mesh(const Loops_options& options) {
   lines.add(line);
   if(line.exit_code != 0)
     throw Failure(static_cast<Exit_code>(line.exit_code), line.error);
+  line.answer.total_seconds = stopwatch.seconds() - line.read_seconds; // with what was written
   show(options, line);
 }
 

@@ -165,7 +165,7 @@ void add_listing_options(CLI::App& command, Listing_choice& choice) {
 void add_display_options(CLI::App& command, Loops_options& options) {
   command.option_defaults()->group("What to show");
   add_listing_options(command, options.listing);
-  command.add_flag("--all,--all-rows", options.show_all, "show all rows of a long table");
+  command.add_flag("--all-rows", options.show_all, "show all rows of a long table");
   command.add_flag("-q,--quiet", options.is_quiet, "print only errors");
   command.add_flag("-v,--verbose", options.is_verbose, "also print why no CUDA device was used");
   add_choice(command, "--color", "WHEN", options.colour, "auto, always or never; default: auto",

@@ -21,6 +21,7 @@
 #include "app/write/mesh_writer.h"
 #include "app/write/pair_listing.h"
 #include "app/write/tables.h"
+#include "commands/usage_messages.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -93,8 +94,7 @@ void check_has_name(const Named_file& file) {
 // As what follows -o in "-o -q".
 void check_is_no_option(const Named_file& output) {
   if(output.name.size() > 1 && output.name.front() == '-')
-    throw wrong_usage(output.option + " " + printable(output.name) +
-                      " looks like an option; for a file of that name, write ./" + output.name);
+    throw wrong_usage(output.option + " " + words_of_dash(output.name));
 }
 
 void check_picture(const Picture_options& picture) {
@@ -394,7 +394,7 @@ void add_picture_options(CLI::App& command,
              "a picture of the mesh and " + what);
   command
       .add_option("--size", options.picture.size,
-                  "size of the picture in pixels; default: 1600,1200")
+                  "size of the picture in pixels, also as WxH; default: 1600,1200")
       ->option_text("W,H")
       ->delimiter(',')
       ->expected(2)
@@ -568,7 +568,8 @@ void check_length_of_mesh(const std::string& option, const std::string& text, do
 void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options) {
   command.add_flag("--yes", is_sure,
                    "accept a length of " + options + " that is\n" +
-                       "more than the diagonal of the bounding box (usually a forgotten %)");
+                       "more than the diagonal of the bounding box, or of --noise-below above\n"
+                       "5% of it (usually a forgotten %)");
 }
 
 std::string indented(const std::vector<std::string>& lines) {

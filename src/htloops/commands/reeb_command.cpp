@@ -200,15 +200,18 @@ void run(const Reeb_command_options& options) {
   const Mended_mesh mended = read_mended_mesh(options);
   const Mesh& mesh = mended.mesh;
   const double read_seconds = stopwatch.seconds();
-  const Reeb_answer answer = solve(mended, options);
+  Reeb_answer answer = solve(mended, options);
   write_read_mesh(options, mended);
-  const std::string text = words_of_graph(answer, read_seconds) + words_of_unit(mended.facts.unit);
+  const std::string unit = words_of_unit(mended.facts.unit);
   std::vector<Listed_arc> arcs; // measuring them takes a look at every face
   if(!options.is_quiet || !options.csv_file.empty() || is_looked_at(options))
     arcs = list_arcs(mesh, answer);
-  write_files(options, mended, answer, arcs, text, read_seconds);
+  write_files(options, mended, answer, arcs, words_of_graph(answer, read_seconds) + unit,
+              read_seconds);
+  answer.total_seconds = stopwatch.seconds() - read_seconds; // with what was written
   if(!options.is_quiet)
-    show_text(table_of_arcs(arcs, options.show_all) + text, is_output_taken(options));
+    show_text(table_of_arcs(arcs, options.show_all) + words_of_graph(answer, read_seconds) + unit,
+              is_output_taken(options));
 }
 
 void add_output_options(CLI::App& command, Reeb_command_options& options) {
@@ -303,7 +306,7 @@ void add_reeb_command(CLI::App& app, Command& command) {
   add_remedy_options(*reeb, *options);
   add_computation_options(*reeb, *options);
   reeb->option_defaults()->group("What to show");
-  reeb->add_flag("--all,--all-rows", options->show_all, "show all rows of a long table");
+  reeb->add_flag("--all-rows", options->show_all, "show all rows of a long table");
   reeb->add_flag("-q,--quiet", options->is_quiet, "print only errors");
   complete_help(*reeb, reeb_examples);
   reeb->callback([options, &command] { command = [options] { run(*options); }; });

@@ -65,17 +65,28 @@ Answer read_basis(const Mesh& mesh, const std::string& file) {
   return answer;
 }
 
+// What passes before the removal.
+struct Seconds
+{
+  double reading = 0., loops = 0., measures = 0.;
+
+  double all() const { return reading + loops + measures; }
+};
+
 // The loops, and what is told of them. Measures are for `--noise-below`.
-Answer answer_of(const Mesh& mesh, const Remove_options& options, bool show_progress) {
-  Progress_bar bar(show_progress);
+Answer answer_of(const Mesh& mesh, const Remove_options& options, Seconds& seconds) {
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
+  const Stopwatch stopwatch;
   Solve_options solve_options;
   solve_options.number_of_threads = options.number_of_threads;
   Answer answer = options.loops_file.empty() ? host_backend.solve(mesh, solve_options, bar)
                                              : read_basis(mesh, options.loops_file);
   const Thread_limit limit(options.number_of_threads);
   add_details(mesh, false, answer);
+  seconds.loops = stopwatch.seconds();
   if(!options.noise_below.empty())
     answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
+  seconds.measures = stopwatch.seconds() - seconds.loops;
   return answer;
 }
 
@@ -85,6 +96,8 @@ pairs_of_noise(const Mesh& mesh, const Answer& answer, const Remove_options& opt
   const auto length = parse_length("--noise-below", options.noise_below, diagonal_of(mesh));
   if(!length)
     return std::nullopt;
+  if(!options.is_sure && !options.is_dry_run)
+    check_noise(answer.pairs, answer.measures, options.noise_below, *length, diagonal_of(mesh));
   Noisy_pairs noisy = noisy_pairs(answer.pairs, answer.measures, *length);
   for(std::size_t i : noisy.undecided)
     std::fprintf(stderr, "htloops: pair %zu is kept: %s\n", i,
@@ -244,17 +257,29 @@ words_of_other_holes(const Remove_options& options, const Mesh& mesh, const Answ
          "\n";
 }
 
+// Where there are no more handles than are to be kept.
+std::string words_of_genus(const Remove_options& options, const Removal_report& report) {
+  return options.genus.value_or(0) > report.genus_before
+             ? "nothing to do: --genus " + std::to_string(*options.genus) + " is more than the " +
+                   counted(report.genus_before, "handle", "handles") + " of the mesh\n"
+             : "";
+}
+
 bool is_output_taken(const Remove_options& options) {
   return (options.result_file == "-" && !options.is_dry_run) ||
          options.is_mesh_on_standard_output() || options.json_file == "-" ||
          options.page_file == "-" || options.csv_file == "-" || options.map_file == "-";
 }
 
-std::string
-words_of_time(const Removal_answer& removal, double loops_seconds, double read_seconds) {
-  return formatted("%.2f s after %.2f s for the loops and %.2f s of reading, ",
-                   removal.total_seconds, loops_seconds, read_seconds) +
-         counted(static_cast<std::size_t>(removal.number_of_threads), "thread", "threads") + "\n";
+// The sum is the time that passed.
+std::string words_of_time(const Remove_options& options,
+                          const Seconds& before,
+                          double all_seconds,
+                          int number_of_threads) {
+  return formatted("%.2f s after %.2f s for the loops", all_seconds - before.all(), before.loops) +
+         (options.noise_below.empty() ? "" : formatted(", %.2f s for measures", before.measures)) +
+         formatted(" and %.2f s of reading, ", before.reading) +
+         counted(static_cast<std::size_t>(number_of_threads), "thread", "threads") + "\n";
 }
 
 std::string
@@ -292,14 +317,11 @@ void run(const Remove_options& options) {
   const Stopwatch stopwatch;
   auto [mended, properties] = read(options);
   const Mesh& mesh = mended.mesh;
-  const double read_seconds = stopwatch.seconds();
+  Seconds seconds = {stopwatch.seconds()};
   check_lengths(options, diagonal_of(mesh));
-  const bool show_progress = !options.is_quiet && is_terminal(stderr);
-  const Stopwatch loops_stopwatch;
-  Answer answer = answer_of(mesh, options, show_progress);
+  Answer answer = answer_of(mesh, options, seconds);
   answer.unit = mended.facts.unit;
-  const double loops_seconds = loops_stopwatch.seconds();
-  Progress_bar bar(show_progress);
+  Progress_bar bar(!options.is_quiet && is_terminal(stderr));
   const std::optional<Noisy_pairs> noisy = pairs_of_noise(mesh, answer, options);
   const Removal_answer removal =
       remove_handles(mesh, answer.pairs, wish(mesh, options, noisy), bar);
@@ -320,9 +342,10 @@ void run(const Remove_options& options) {
                   words_of_noise(options, mesh, answer, removal.report) +
                   words_of_bores(options, mesh, answer, removal.report) +
                   words_of_other_holes(options, mesh, answer) +
+                  words_of_genus(options, removal.report) +
                   table_and_summary(options, told.report, options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
-                  words_of_time(removal, loops_seconds, read_seconds) +
+                  words_of_time(options, seconds, stopwatch.seconds(), removal.number_of_threads) +
                   (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),
               is_output_taken(options));
   check_all_done(options, removal.report, noisy);

@@ -105,9 +105,10 @@ void run(const Skeleton_command_options& options) {
   const Stopwatch stopwatch;
   const Mended_mesh mended = read_mended_mesh(options);
   const double read_seconds = stopwatch.seconds();
-  const Skeleton_answer answer = solve(mended.mesh, options);
+  Skeleton_answer answer = solve(mended.mesh, options);
   write_read_mesh(options, mended);
   write_files(options, mended, answer, read_seconds);
+  answer.total_seconds = stopwatch.seconds() - read_seconds; // with what was written
   if(!options.is_quiet)
     show_text(table_of_arcs(answer, options.show_all) + summary(answer, read_seconds) +
                   words_of_unit(mended.facts.unit),
@@ -201,7 +202,7 @@ void add_skeleton_command(CLI::App& app, Command& command) {
   add_remedy_options(*skeleton, *options);
   add_computation_options(*skeleton, *options);
   skeleton->option_defaults()->group("What to show");
-  skeleton->add_flag("--all,--all-rows", options->show_all, "show all rows of a long table");
+  skeleton->add_flag("--all-rows", options->show_all, "show all rows of a long table");
   skeleton->add_flag("-q,--quiet", options->is_quiet,
                      "print only errors, and that a skeleton is not certified");
   complete_help(*skeleton, skeleton_examples);

@@ -140,6 +140,7 @@ int run_tool(int argc, char** argv) {
     return static_cast<int>(Exit_code::WRONG_USAGE);
   }
   try {
+    write_out_size(arguments);
     check_lists(app, arguments);
     write_out_bores(arguments);
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them

@@ -11,13 +11,16 @@
 
 #include "app/file_names.h"
 #include "app/read/meshes/mesh_formats.h"
+#include "app/system/files.h"
 
 #include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <numeric>
 #include <regex>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -30,17 +33,18 @@ std::string name_of(const CLI::App& command) {
              : name_of(*command.get_parent()) + " " + command.get_name();
 }
 
-// How many letters have to be put in, taken out or replaced (Levenshtein).
+// How many letters have to be put in, taken out, replaced, or swapped with the next one (Damerau).
 std::size_t distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
+  std::vector<std::size_t> row(to.size() + 1), last, before;
   std::iota(row.begin(), row.end(), std::size_t(0));
   for(std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before = std::exchange(last, row);
     row[0] = i + 1;
     for(std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = (std::min)({replaced, row[j] + 1, row[j + 1] + 1});
+      const std::size_t replaced = last[j] + (from[i] == to[j] ? 0 : 1);
+      row[j + 1] = (std::min)({replaced, row[j] + 1, last[j + 1] + 1});
+      if(i > 0 && j > 0 && from[i] == to[j - 1] && from[i - 1] == to[j])
+        row[j + 1] = (std::min)(row[j + 1], before[j - 1] + 1);
     }
   }
   return row.back();
@@ -84,8 +88,17 @@ std::vector<std::string> commands_with(const CLI::App& command, const std::strin
   return names;
 }
 
+// Whether a word that is taken for options is the name of a file.
+bool is_file_with_dash(const std::string& word) {
+  std::error_code error;
+  return word.front() == '-' &&
+         (is_named_as_mesh(word) || std::filesystem::exists(path_of(word), error));
+}
+
 std::string words_of_unknown(const CLI::App& command, const std::string& word) {
   const bool is_of_tool = command.get_parent() == nullptr;
+  if(!word.empty() && is_file_with_dash(word))
+    return words_of_dash(word);
   if(!is_of_tool && is_named_as_mesh(word))
     return "'" + printable(word) + "' is one file too many" +
            (command.get_option_no_throw("--output") != nullptr &&
@@ -93,12 +106,13 @@ std::string words_of_unknown(const CLI::App& command, const std::string& word) {
                 ? "; -o names the file for the result"
                 : "");
   const std::string unknown = "'" + printable(word) + "' is not a known command or option";
-  if(const std::vector<std::string> others = commands_with(command, word); !others.empty())
-    return unknown + " of '" + name_of(command) + "'; it is an option of " +
-           boost::algorithm::join(others, ", ");
   const std::string meant = is_of_tool && is_named_as_mesh(word)
                                 ? name_of(command) + " loops " + printable(word)
                                 : nearest(word, words_of(command));
+  const std::vector<std::string> others = commands_with(command, word);
+  if(!others.empty() && meant.compare(0, word.size(), word) != 0)
+    return unknown + " of '" + name_of(command) + "'; it is an option of " +
+           boost::algorithm::join(others, ", ");
   return unknown + (meant.empty() ? "" : "; did you mean '" + meant + "'?");
 }
 
@@ -142,6 +156,11 @@ std::string words_of_error(const CLI::App& command, const std::string& message) 
 }
 
 } // namespace
+
+std::string words_of_dash(const std::string& file) {
+  return printable(file) + " looks like an option; for a file of that name, write ./" +
+         printable(file);
+}
 
 const CLI::App& begun_command(const CLI::App& app) {
   const std::vector<CLI::App*> commands = app.get_subcommands();

@@ -19,6 +19,9 @@ namespace htloops {
 /// the command that was begun, as far as its words were understood.
 const CLI::App& begun_command(const CLI::App& app);
 
+/// what is said of the name of a file that is taken for options.
+std::string words_of_dash(const std::string& file);
+
 /// what is said of a command line that is not understood: what is wrong with it, what may have been
 /// meant, and which help tells more. For `CLI::App::failure_message()`.
 std::string usage_message(const CLI::App* app, const CLI::Error& error);

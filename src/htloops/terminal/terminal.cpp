@@ -69,6 +69,7 @@ void Progress_bar::end() {
   if(is_drawn_)
     std::fputs("\r\033[K", stderr);
   is_drawn_ = false;
+  fraction_ = 0.; // of what comes next
 }
 
 } // namespace htloops

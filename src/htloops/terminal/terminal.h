@@ -23,8 +23,8 @@ namespace htloops {
 /// whether to colour what goes to the stream; `when` is auto, always or never.
 bool use_colour(const std::string& when, std::FILE* stream);
 
-/// A line on the standard error that is drawn again and again, and erased at the end. A signal that
-/// interrupts ends what it shows.
+/// A line on the standard error that is drawn again and again, and erased at the end; what starts
+/// after that begins at 0%. A signal that interrupts ends what it shows.
 class Progress_bar final : public Progress
 {
 public:

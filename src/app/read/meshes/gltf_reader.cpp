@@ -8,6 +8,7 @@
 // Author(s)     : The Handle_tunnel_loops authors
 
 #include "failure.h"
+#include "read/json_errors.h"
 #include "read/meshes/readers.h"
 #include "read/sources.h"
 #include "read/unpacking.h"
@@ -161,14 +162,18 @@ private:
     std::string folder = name_of_path(path_of(file_.path()).parent_path());
     reader.SetFsCallbacks({is_buffer_there, same_path, read_buffer, nullptr, &folder});
     std::string error, warning;
+    const bool is_binary = content.substr(0, 4) == "glTF";
     const bool is_read =
-        content.substr(0, 4) == "glTF"
+        is_binary
             ? reader.LoadBinaryFromMemory(&model_, &error, &warning,
                                           reinterpret_cast<const unsigned char*>(content.data()),
                                           size, folder)
             : reader.LoadASCIIFromString(&model_, &error, &warning, content.data(), size, folder);
+    // The text is behind the headers of the file and of the chunk.
+    const std::size_t begin = is_binary ? (std::min)(content.size(), std::size_t(20)) : 0;
     if(!is_read)
-      fail("it is not a valid glTF 2.0 file: " + first_line(error));
+      fail("it is not a valid glTF 2.0 file: " +
+           words_of_json_error(first_line(error), content.substr(begin)));
   }
 
   static std::string first_line(const std::string& text) {

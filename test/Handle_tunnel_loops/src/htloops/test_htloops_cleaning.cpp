@@ -4,6 +4,7 @@
 #include "Meshes_of_soups.h"
 
 #include "app/clean/soup_cleaning.h"
+#include "app/failure.h"
 #include "app/read/soup_diagnosis.h"
 #include "generators/generators.h"
 
@@ -387,6 +388,8 @@ TEST(Cleaning, removes_handles_that_it_is_told_of) {
   EXPECT_EQ(cleaned(soup, options).after.genus, 3u);
   Clean_options noise;
   noise.noise_below = {0.5, true};
+  EXPECT_THROW(cleaned(soup, noise), Failure); // which is no noise
+  noise.is_sure = true;
   EXPECT_EQ(cleaned(soup, noise).after.genus, 0u);
 }
 

@@ -170,7 +170,7 @@ TEST_F(Exports, a_long_table_is_abbreviated) {
   EXPECT_EQ(table_of_pairs({}, {}), "");
   pairs.resize(100, pairs[0]);
   const std::string abbreviated = table_of_pairs(pairs, {});
-  EXPECT_EQ(count_of(abbreviated, "... 75 more"), 1u);
+  EXPECT_EQ(count_of(abbreviated, "... 75 more (--all-rows shows them)"), 1u);
   EXPECT_EQ(count_of(abbreviated, "\n"), 1u + 20u + 1u + 5u);
   Table_options all;
   all.show_all = true;

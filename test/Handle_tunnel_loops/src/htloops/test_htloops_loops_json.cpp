@@ -16,6 +16,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_htloops_loops_json {
@@ -173,6 +174,33 @@ TEST_F(Loops_json, allows_for_what_the_smallest_numbers_lose) {
   EXPECT_TRUE(bind_loops(read_again(), tiny).problems.empty());
   document_["pairs"][1]["handle"]["length"] = 6000. * smallest;
   EXPECT_EQ(bind_loops(read_again(), tiny).problems.size(), 1u);
+}
+
+TEST_F(Loops_json, says_in_words_what_stands_where_in_a_text_that_is_no_json) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"{\"a\":}", "line 1, column 6: '}' stands where a value is expected"},
+      {"{\n\"a\": [1,2}", "line 2, column 10: '}' stands where a comma or ] is expected"},
+      {"{\"a\": 1,}", "line 1, column 9: '}' stands where a name in double quotes is expected"},
+      {"{'a': 1}", "line 1, column 2: ''' stands where a name in double quotes is expected"},
+      {"{\"a\" \"bcd\"}", "line 1, column 6: '\"bcd\"' stands where a colon is expected"},
+      {"{\"a\": 1\n \"b\": 2}", "line 2, column 2: '\"b\"' stands where a comma or } is expected"},
+      {"{\"a\":\n  [1, nan, 2]}", "line 2, column 7: 'nan' stands where a value is expected"},
+      {"{\"a\": Tru}", "line 1, column 7: 'Tru' stands where a value is expected"},
+      {"{\"a\": tru}", "line 1, column 7: 'tru' stands where a value is expected"},
+      {"{} 12", "line 1, column 4: '12' stands where the end is expected"},
+      {"{\"a\": [1,\n", "line 2, column 1: the text ends where a value is expected"},
+      {"{\"a\": 1e999}", "the number 1e999 is too large"},
+      {"{\"a\": \"b\nc\"}", "line 1, column 9: invalid string: control character U+000A"},
+      {"{\"a\": \"b", "line 1, column 9: the text ends within a string"},
+      {"{\"a\": -}", "invalid number"}};
+  for(const auto& [text, words] : cases)
+    try {
+      read_loops_json(folder_.write("d.json", text));
+      ADD_FAILURE() << "it was read: " << text;
+    } catch(const Failure& failure) {
+      EXPECT_NE(std::string(failure.what()).find(words), std::string::npos) << failure.what();
+      EXPECT_EQ(std::string(failure.what()).find("exception"), std::string::npos);
+    }
 }
 
 TEST_F(Loops_json, says_where_a_document_is_malformed) {
