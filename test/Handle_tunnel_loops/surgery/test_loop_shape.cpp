@@ -107,8 +107,8 @@ TEST(Loop_shape, OfOthersHasABestCircle) {
     const auto square = CGAL::loop_shape(divided(polygon(4, 1.), parts)).best_circle;
     ASSERT_TRUE(square);
     const double mean = std::sqrt(0.5) * (std::sqrt(2.) + std::asinh(1.)) / 2.;
-    EXPECT_NEAR(square->diameter, 2. * mean, 1e-3);
-    EXPECT_NEAR(square->out_of_roundness, (1. - std::sqrt(0.5)) / (2. * mean), 1e-3);
+    EXPECT_NEAR(square->diameter, 2. * mean, 1e-5);
+    EXPECT_NEAR(square->out_of_roundness, (1. - std::sqrt(0.5)) / (2. * mean), 1e-5);
     std::vector<Point> ellipse = polygon(60, 1.);
     for(Point& p : ellipse)
       p = Point(1.1 * p.x(), 0.9 * p.y(), 0.);
