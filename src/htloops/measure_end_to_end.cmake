@@ -42,7 +42,7 @@ file(STRINGS "${FOLDER}/all.csv" rows)
 foreach(row IN LISTS rows)
   string(REGEX MATCHALL "," commas "${row}")
   list(LENGTH commas count)
-  expect_equal("${count}" 34)
+  expect_equal("${count}" 38)
 endforeach()
 
 # For a person, the least of each mesh.
@@ -74,7 +74,7 @@ file(STRINGS "${FOLDER}/all.csv" rows)
 foreach(row IN LISTS rows)
   string(REGEX MATCHALL "," commas "${row}")
   list(LENGTH commas count)
-  expect_equal("${count}" 40)
+  expect_equal("${count}" 44)
 endforeach()
 run(2 loops torus.off --removal)
 
