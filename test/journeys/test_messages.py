@@ -74,7 +74,7 @@ def test_options_that_are_named_help(tool, name):
             again = tool.run(command, "mesh.off", *options, *" ".join(named).split())
             assert not re.findall("--[a-z]", again.stderr)
         else:
-            assert said.returncode == 0, said.stderr
+            assert said.returncode in (0, 4), said.stderr
     assert told > 0
 
 
@@ -134,7 +134,7 @@ def test_making_a_mesh_shows_how_far_it_is_and_can_be_interrupted(tool):
 
 
 def test_the_seconds_that_are_told_are_those_that_passed(tool):
-    tool.run("generate", "scan", "--faces", 26000, "--bridges", 2, "--tunnels", 2, "-o", "scan.off", "-q")
+    tool.run("generate", "scan", "--faces", 28000, "--bridges", 2, "--tunnels", 2, "-o", "scan.off", "-q")
     for command in (["loops"], ["loops", "--html", "page.html", "--gltf", "loops.glb"],
                     ["loops", "--removal", "--measure"], ["measure", "--precision", "10%"],
                     ["reeb", "-o", "reeb.json"], ["skeleton", "--csv", "arcs.csv"],
