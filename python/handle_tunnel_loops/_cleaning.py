@@ -107,7 +107,7 @@ def clean(
 
 def _in_words_of_python(line: str) -> str:
     line = re.sub(r"--channels (\S+%)", r'channels="\1"', line)
-    line = re.sub(r"Did you mean (\S+%)", r'Did you mean ""', line)
+    line = re.sub(r"Did you mean (\S+%)", r'Did you mean "\1"', line)
     for option, name in (("--noise-below", "noise_below"), ("--genus", "genus"), ("--yes", "force=True")):
         line = line.replace(option, name)
     return line
