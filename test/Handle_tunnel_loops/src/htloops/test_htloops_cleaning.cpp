@@ -388,7 +388,7 @@ TEST(Cleaning, removes_handles_that_it_is_told_of) {
   EXPECT_EQ(cleaned(soup, options).after.genus, 3u);
   Clean_options noise;
   noise.noise_below = {0.5, true};
-  EXPECT_THROW(cleaned(soup, noise), Failure); // which is no noise
+  EXPECT_THROW(cleaned(soup, noise), htloops::Failure); // which is no noise
   noise.is_sure = true;
   EXPECT_EQ(cleaned(soup, noise).after.genus, 0u);
 }
