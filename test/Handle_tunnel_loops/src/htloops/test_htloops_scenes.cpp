@@ -213,7 +213,7 @@ TEST_F(Explained_scenes, LoopsWithAllThatIsKnownOfThem) {
   answer.costs = htloops::find_costs(mesh_, answer.pairs, told_);
   const Scene scene =
       htloops::scene_of_loops({}, "a.off", mesh_, answer, htloops::list_pairs(mesh_, answer), "");
-  EXPECT_EQ(scene.table.columns.size(), 14u);
+  EXPECT_EQ(scene.table.columns.size(), 17u);
   expect_explanations(scene);
   answer.throats.are_wanted = true;
   expect_explanations(htloops::scene_of_loops({}, "a.off", mesh_, answer, {}, ""));
