@@ -9,9 +9,10 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
-#include <CGAL/Handle_tunnel_loops/internal/measure/Loop_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Plane_section.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Room_in_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
@@ -247,7 +248,7 @@ struct Wire
 
 // The room in a cone over a loop, looked at in many places, is no more than that, and nearly as
 // much.
-TEST(Loop_caps, BoundTheRoomInThem) {
+TEST(Room_in_caps, BoundsTheRoomInCones) {
   for(unsigned seed = 0; seed < 20; ++seed) {
     Random random(seed);
     const Wire wire;
@@ -259,7 +260,7 @@ TEST(Loop_caps, BoundTheRoomInThem) {
                      size * random.uniform(0.5, 1.) *
                          impl::Vector{std::cos(a), std::sin(a), random.uniform(-0.2, 0.2)});
     }
-    const double bound = impl::Loop_caps(wire.faces, 0.01).largest_radius(loop);
+    const double bound = impl::Room_in_caps(wire.faces, wire.clearance, 0.01).of_loop(loop);
     impl::Vector middle = {0., 0., 0.};
     double length = 0.;
     const auto next = [&](std::size_t i) { return loop[(i + 1) % loop.size()]; };
@@ -292,24 +293,59 @@ TEST(Pushed_loops, FindTheWayInAThinWire) {
   const impl::Cycle_trials trials(wire.clearance, linked, 0.015);
   const impl::Pushed_loops pushed(wire.wall, wire.clearance, trials);
   std::size_t inside = 0;
-  for(const bool is_left : {false, true}) {
-    const auto walk = pushed.find(along, is_left, Wire::out);
-    ASSERT_TRUE(walk);
-    inside += walk->row.empty() ? 0 : 1;
-    if(walk->row.empty())
-      continue;
-    EXPECT_EQ(walk->row.size(), 1u); // it goes through the loop around, once
-    EXPECT_EQ(walk->row[0].first, 0u);
-    EXPECT_EQ(std::abs(walk->row[0].second), 1);
-    EXPECT_GE(walk->radius, 0.2 * Wire::out);
-    EXPECT_LE(walk->radius, 0.5 * Wire::out);
-    for(const auto& [place, radius] : walk->balls)
-      EXPECT_GE(wire.clearance.at(place, 1.), (1. - 1e-9) * walk->radius);
-    const impl::Cycle_trial trial = trials.trial(*walk, 0.5 * Wire::out);
+  for(const auto& [row, trial] : pushed.find(along, 0, Wire::out)) {
     EXPECT_TRUE(trial.is_wide);
-    EXPECT_GE(trial.radius, 0.47 * Wire::out);
+    if(row.empty())
+      continue;
+    ++inside;
+    EXPECT_EQ(row.size(), 1u); // it goes through the loop around, once
+    EXPECT_EQ(row[0].first, 0u);
+    EXPECT_EQ(std::abs(row[0].second), 1);
+    EXPECT_GE(trial.radius, 0.2 * Wire::out);
+    EXPECT_LE(trial.radius, 0.5 * Wire::out);
+    const impl::Cycle_trial wider = trials.widened(trial, row, 0.5 * Wire::out);
+    EXPECT_GE(wider.radius, 0.47 * Wire::out);
+    EXPECT_EQ(trials.row_of(wider.curve), row);
+    for(const auto& [place, radius] : wider.curve) {
+      EXPECT_GE(wire.clearance.at(place, 1.), (1. - 1e-9) * radius);
+      EXPECT_GE(radius, (1. - 1e-9) * wider.radius);
+    }
   }
   EXPECT_EQ(inside, 1u);
+}
+
+// Through the ring, the plane across it, and one that cuts it in two.
+TEST(Plane_section, IsTheCapAroundItsPlace) {
+  const Wire wire;
+  const auto section = [&](const impl::Vector& place, const impl::Vector& normal) {
+    return impl::Plane_section(wire.faces, impl::span_of(wire.mesh.points), place, normal);
+  };
+  const auto area = [](const impl::Plane_section& of) {
+    double sum = 0.;
+    for(const auto& [a, b, c] : of.triangles())
+      sum += 0.5 * impl::norm(impl::cross(b - a, c - a));
+    return sum;
+  };
+  std::vector<impl::Free_ball> along;
+  for(std::uint32_t i = 0; i < Wire::pieces; ++i)
+    along.push_back({(1. / 3.) * (wire.mesh.points[3 * i] + wire.mesh.points[3 * i + 1] +
+                                  wire.mesh.points[3 * i + 2]),
+                     0.});
+  const double exact = 0.75 * std::sqrt(3.) * Wire::out * Wire::out; // across the wire
+
+  const impl::Vector in_wire = 0.5 * (along[0].place + along[1].place);
+  const impl::Plane_section across = section(in_wire, along[1].place - along[0].place);
+  EXPECT_NEAR(area(across), exact * std::cos(Wire::pi / Wire::pieces), 1e-3 * exact);
+  EXPECT_EQ(across.passages(along), 1);
+  std::reverse(along.begin(), along.end());
+  EXPECT_EQ(across.passages(along), -1);
+
+  const impl::Plane_section through = section({0., 0., 0.}, {0., 0., 1.});
+  const double radius = Wire::radius - 0.5 * Wire::out; // of the inner corners
+  EXPECT_NEAR(area(through), 3. * radius * radius, 2e-3 * radius * radius);
+  EXPECT_EQ(through.passages(along), 0);
+
+  EXPECT_TRUE(section({0., 0., 0.}, {1., 0., 0.1}).triangles().empty()); // it goes on and on
 }
 
 } // namespace test_measure_parts

@@ -17,7 +17,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -55,33 +57,89 @@ public:
     return std::sqrt(best);
   }
 
-  /// a ball beside a point, on the same side of the surface, that has a radius or more, if some
-  /// steps away from what is nearest lead to one.
-  std::optional<Free_ball> with_room(Vector p, double radius, int most_steps = 24) const {
-    constexpr int few_steps = 6;
-    constexpr double rounding = 1e-9, enough = 1.5, most_growth = 1.75;
-    for(int k = 0; k < most_steps; ++k) {
-      const std::optional<Vector> q = nearest(p, enough * radius);
-      if(!q)
-        return Free_ball{p, enough * radius};
-      const Vector way = p - *q;
-      const double distance = norm(way);
-      if(distance >= radius)
-        return Free_ball{p, distance};
-      if(distance == 0.)
-        return std::nullopt;
-      // Between walls at an angle, steps become ever smaller, unless they lead a little too far.
-      // They are shorter than what is known to be free, so that no wall is crossed.
-      const double more = k < few_steps ? rounding : 0.5 * tolerance_;
-      p = *q + (std::min)(most_growth, (1. + more) * radius / distance) * way;
-    }
-    return std::nullopt;
+  /// What of the surface is nearest to a point.
+  struct Touch
+  {
+    Index face;
+    Vector point;
+    double distance;
+  };
+
+  /// if it is nearer than a distance.
+  std::optional<Touch> nearest(const Vector& p, double distance) const {
+    double limit = distance * distance;
+    std::optional<Touch> best;
+    faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
+      const Triangle t = faces_.triangle(f);
+      const Vector q = nearest_point(p, t[0], t[1], t[2]), way = q - p;
+      if(const double square = dot(way, way); square < limit) {
+        limit = square;
+        best = {f, q, std::sqrt(square)};
+      }
+      return limit;
+    });
+    return best;
+  }
+
+  /// A place, how much room there is, and points of the surface, in other directions each, that are
+  /// about as near.
+  struct Ridge
+  {
+    static constexpr std::size_t most_touched = 4;
+    Vector place;
+    double room = 0.;
+    std::array<Vector, most_touched> touched = {};
+    std::size_t size = 0;
+  };
+
+  static constexpr int most_steps = 24;
+
+  /// where some steps uphill lead from a point, until there is room for a radius: away from all
+  /// that was found to be near. (Between walls that converge, the way away from the nearer only
+  /// leads to the other.) No wall is crossed.
+  Ridge uphill(const Vector& from, double radius, int steps = most_steps) const {
+    return uphill(from, radius, steps, [](const Vector& way) { return way; });
+  }
+
+  /// the same in the plane across a direction: a ball in a window has more room before it.
+  Ridge uphill_across(const Vector& direction, const Vector& from, double radius) const {
+    const Vector axis = unit(direction);
+    return uphill(from, radius, most_steps,
+                  [&](const Vector& way) { return way - dot(way, axis) * axis; });
+  }
+
+  /// a ball beside a point that has a radius or more, if steps uphill lead to one.
+  std::optional<Free_ball> with_room(const Vector& p, double radius, int steps = most_steps) const {
+    const Ridge ridge = uphill(p, radius, steps);
+    return ridge.room >= radius ? std::optional(Free_ball{ridge.place, ridge.room}) : std::nullopt;
+  }
+
+  /// the same, with more room if that can be: balls that only just fit around an edge have to be
+  /// very close together.
+  std::optional<Free_ball> with_more_room(const Vector& p, double radius) const {
+    constexpr double more = 1.3;
+    const Ridge ridge = uphill(p, more * radius, most_steps / 2);
+    return ridge.room >= radius ? std::optional(Free_ball{ridge.place, ridge.room})
+                                : with_room(p, radius);
   }
 
   /// a ball around a point, as large as fits, or larger than a radius.
   Free_ball ball_at(const Vector& p, double radius) const {
     constexpr double enough = 1.5;
     return {p, at(p, enough * radius)};
+  }
+
+  /// how large balls are at least that fit all along the segment between two. (Squared distances to
+  /// a point, less that along the segment, are linear: so the least of them is concave, and as
+  /// large as between its ends at least.)
+  static double least_between(const Free_ball& a, const Free_ball& b) {
+    const Vector way = b.place - a.place;
+    const double first = a.radius * a.radius, more = b.radius * b.radius - first,
+                 square = dot(way, way);
+    if(std::abs(more) >= square)
+      return (std::min)(a.radius, b.radius);
+    const double ratio = 0.5 * (1. - more / square);
+    return std::sqrt((std::max)(0., first - ratio * ratio * square));
   }
 
   /// whether balls of a radius fit all along a segment between two that have it: if not, a point
@@ -104,32 +162,76 @@ public:
   }
 
 private:
-  // Squared distances to a point, less that along the segment, are linear: so the least of them is
-  // concave, and as large as between its ends at least.
+  // Between two balls of a radius, or larger ones, without a look at the surface.
   bool is_free_between(const Free_ball& a, const Free_ball& b, double radius) const {
-    const Vector way = b.place - a.place;
-    const double first = a.radius * a.radius, more = b.radius * b.radius - first,
-                 square = dot(way, way), least = (1. - tolerance_) * radius;
-    if(std::abs(more) >= square)
-      return true;
-    const double ratio = 0.5 * (1. - more / square);
-    return first - ratio * ratio * square >= least * least;
+    return norm(b.place - a.place) <= std::abs(b.radius - a.radius) ||
+           least_between(a, b) >= (1. - tolerance_) * radius;
   }
 
-  // The nearest point of the surface, if it is nearer than a distance.
-  std::optional<Vector> nearest(const Vector& p, double distance) const {
-    double limit = distance * distance;
-    std::optional<Vector> best;
-    faces_.boxes().for_each_nearer(p, limit, [&](Index f) {
-      const Triangle t = faces_.triangle(f);
-      const Vector q = nearest_point(p, t[0], t[1], t[2]), way = q - p;
-      if(const double square = dot(way, way); square < limit) {
-        limit = square;
-        best = q;
+  template <typename Flatten>
+  Ridge uphill(const Vector& from, double radius, int most_steps, const Flatten& flatten) const {
+    constexpr double enough = 1.5, longest = 0.75, least_slope = 0.005;
+    const double wanted = (1. + 0.125 * tolerance_) * radius;
+    Ridge ridge;
+    ridge.place = from;
+    for(int k = 0;; ++k) {
+      const std::optional<Touch> touch = nearest(ridge.place, enough * radius);
+      ridge.room = touch ? touch->distance : enough * radius;
+      if(ridge.room >= radius || ridge.room == 0. || k == most_steps)
+        break;
+      const Vector uphill = away_from(*touch, wanted, ridge, flatten);
+      const double slope = norm(uphill);
+      if(slope < least_slope)
+        break;
+      // No farther than what is known to be free.
+      const double step = (std::min)(longest * ridge.room, (wanted - ridge.room) / slope);
+      ridge.place = ridge.place + (step / slope) * uphill;
+    }
+    return ridge;
+  }
+
+  // A direction by which all that is nearer than a distance comes farther away, among it what is
+  // nearest now; the faster the longer it is.
+  template <typename Flatten>
+  static Vector
+  away_from(const Touch& touch, double distance, Ridge& ridge, const Flatten& flatten) {
+    constexpr double alike = 0.95;
+    std::array<Vector, Ridge::most_touched> away;
+    const Vector first = (1. / touch.distance) * (ridge.place - touch.point);
+    std::size_t left = 0;
+    for(std::size_t i = 0; i < ridge.size; ++i) {
+      const Vector way = ridge.place - ridge.touched[i];
+      const double length = norm(way);
+      if(length < distance && dot(way, first) < alike * length && left + 1 < away.size()) {
+        ridge.touched[left] = ridge.touched[i];
+        away[left++] = flatten((1. / length) * way);
       }
-      return limit;
-    });
-    return best;
+    }
+    ridge.touched[left] = touch.point;
+    away[left++] = flatten(first);
+    ridge.size = left;
+    return shortest_in_hull(away, left);
+  }
+
+  // Of the convex hull of some vectors, about (Gilbert): going along it leads in the direction of
+  // each of them, by its own length at least.
+  template <std::size_t n>
+  static Vector shortest_in_hull(const std::array<Vector, n>& vectors, std::size_t size) {
+    constexpr int most_rounds = 16;
+    constexpr double tolerance = 0.01;
+    Vector shortest = vectors[size - 1];
+    for(int round = 0; round < most_rounds; ++round) {
+      std::size_t best = 0;
+      for(std::size_t i = 1; i < size; ++i)
+        if(dot(shortest, vectors[i]) < dot(shortest, vectors[best]))
+          best = i;
+      const Vector way = vectors[best] - shortest;
+      const double square = dot(way, way), slope = -dot(shortest, way);
+      if(square == 0. || slope <= tolerance * dot(shortest, shortest))
+        break;
+      shortest = shortest + (std::min)(1., slope / square) * way;
+    }
+    return shortest;
   }
 
   const Face_tree& faces_;

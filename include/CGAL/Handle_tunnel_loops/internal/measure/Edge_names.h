@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/Ball_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
-#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -28,7 +28,7 @@ namespace CGAL::Handle_tunnel_loops::internal {
 class Edge_names
 {
 public:
-  Edge_names(const Voronoi_graph& graph, const Linked_segments& linked)
+  Edge_names(const Ball_network& graph, const Linked_segments& linked)
       : graph_(graph)
       , linked_(linked)
       , names_(graph.edges.size(), unknown) {}
@@ -64,7 +64,7 @@ public:
 private:
   static constexpr std::uint64_t unknown = ~std::uint64_t(0);
 
-  const Voronoi_graph& graph_;
+  const Ball_network& graph_;
   const Linked_segments& linked_;
   std::vector<std::uint64_t> names_;
 };

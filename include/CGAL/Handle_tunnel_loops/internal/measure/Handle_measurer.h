@@ -13,16 +13,17 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/measure/Ball_curve.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Cap_bounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Leaking_edges.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linked_segments.h>
-#include <CGAL/Handle_tunnel_loops/internal/measure/Loop_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Paired_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Surface_points.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Way_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/measure_handles.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
@@ -49,16 +50,17 @@ namespace CGAL::Handle_tunnel_loops::internal {
 /*!
 Finds the largest balls that can be led through holes and around handles.
 
-What is led through a loop passes any cap of it: that is one bound (`Loop_caps`). As many cycles as
-are independent are linked with as many loops, so the k-th of them is no wider than the k-th of
-these bounds. The other bound is a cycle itself, if balls of nearly its radius fit all along it
-(`Clearance`), as beside the loops there are some (`Pushed_loops`).
+Where they pass caps, there must be room for them: that is one bound (`Cap_bounds`). The other is a
+cycle itself, if balls of nearly its radius fit all along it (`Clearance`). Beside the loops there
+are some (`Pushed_loops`), which are moved to where there is more room as far as that leads
+(`Cycle_trials::widened`).
 
 Where these differ, points on the surface are no nearer to a ball than the surface is: so the widest
 cycles among the points (`Widest_cycles`) are at least as wide as those of the surface, one by one,
-as long as no cycle slips between points through a loop. Where the bounds still differ, cycles slip
-through the surface between points that are too far apart: more are taken all along where they do
-(`Leaking_edges`). So it goes on until the bounds agree.
+as long as no cycle slips between points through a loop. Few points lead to most that are not beside
+loops. Where the bounds still differ, cycles slip through the surface between points that are too
+far apart: more are taken all along where they do (`Leaking_edges`). So it goes on until the bounds
+agree.
 */
 class Handle_measurer
 {
@@ -76,6 +78,8 @@ public:
       , wall_(mesh, span_of(places), faces_)
       , points_(execution, faces_)
       , loops_(loops_of(pairs))
+      , caps_(execution, faces_, clearance_, span_of(places), loops_, gap_ / 8.)
+      , most_(caps_.most())
       , linked_(execution, loops_)
       , tries_(clearance_, linked_, gap_) {
     for(const Vector& p : places)
@@ -89,24 +93,26 @@ public:
   Flat_measures measure() {
     if(loops_.empty())
       return {};
-    find_caps();
     take_pushed_loops();
-    if(are_all_wide() && !is_any_narrow())
+    take_parts_of_ways();
+    take_sections();
+    if(do_bounds_agree())
       return assign();
     for(std::size_t l = 0; l < loops_.size(); ++l)
       refine_along(l);
     points_.refine(execution_, std::exchange(requests_, {}));
+    Voronoi_graph graph(box_.low, box_.high);
+    take_cycles_among_points(graph, 0);
+    if(do_bounds_agree())
+      return assign();
+    std::size_t inserted = points_.points().size(), work = inserted; // points of all rounds
     const double number = double(most_at_first + places_);
     points_.refine_by_thickness(execution_, wall_, part_of_thickness,
                                 (std::max)(std::sqrt(area_ / number), 0.1 * sides_ / number));
     points_.set_most(points_.points().size() + points_per_vertex * places_ + more_points);
-    Voronoi_graph graph(box_.low, box_.high);
-    std::size_t inserted = 0;
-    std::size_t work = 0; // points of all rounds
     do {
-      graph.insert(execution_, points_.points(), std::exchange(inserted, points_.points().size()));
-      graph.build(execution_);
-      find_cycles(graph);
+      const std::size_t before = std::exchange(inserted, points_.points().size());
+      take_cycles_among_points(graph, before);
       refine(graph, inserted);
       work += inserted;
     } while(points_.points().size() > inserted && is_worth(work));
@@ -115,6 +121,7 @@ public:
 
 private:
   static constexpr double gap_of_precision = 1.5, largest_gap = 0.3;
+  static constexpr int blind_rounds = 2; // to see the surface takes as long as several rounds
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
   static constexpr std::size_t most_at_first = 20000;
   static constexpr std::size_t work_per_vertex = 5, more_work = 400000;
@@ -192,6 +199,8 @@ private:
                        [](const Cycle_trial& trial) { return trial.is_wide; });
   }
 
+  bool do_bounds_agree() const { return are_all_wide() && !is_any_narrow(); }
+
   bool is_any_narrow() const {
     return std::any_of(trials_.begin(), trials_.end(),
                        [](const Cycle_trial& trial) { return !trial.narrow.empty(); });
@@ -239,43 +248,42 @@ private:
 
   // ---- cycles
 
-  void find_caps() {
-    const Loop_caps caps(faces_, gap_ / 8.);
-    cap_of_.resize(loops_.size());
-    for_each_index(
-        execution_, loops_.size(),
-        [&](std::size_t l) { cap_of_[l] = caps.largest_radius(loops_[l]); }, 1);
-    caps_ = cap_of_;
-    std::sort(caps_.begin(), caps_.end(), std::greater<>());
-    most_ = caps_;
+  // \p inserted is how many of the points the graph has already.
+  void take_cycles_among_points(Voronoi_graph& graph, std::size_t inserted) {
+    graph.insert(execution_, points_.points(), inserted);
+    graph.build(execution_);
+    find_cycles(graph);
   }
 
   // The widest among the points tell how wide cycles are at most. Where none is known that is as
   // wide, others are looked for that do not cross the surface, and are wide as that is seen.
   void find_cycles(Voronoi_graph& graph) {
     Edge_names names(graph, linked_);
-    auto cycles = widest_cycles(graph, names, &Voronoi_graph::Edge::radius);
+    auto cycles = widest_cycles(graph, names, &Ball_network::Edge::radius);
     most_.clear();
     for(std::size_t i = 0; i < cycles.size(); ++i)
-      most_.push_back((std::min)(cycles[i].radius, caps_[i]));
+      most_.push_back((std::min)(cycles[i].radius, caps_.most()[i]));
     leaks_.clear();
     judge();
-    if(cycles_.size() < most_.size() || is_any_narrow())
+    if(cycles_.size() < most_.size() || is_any_narrow()) {
       take(std::move(cycles));
-    if(!is_any_narrow())
+      take_sections();
+    }
+    if(!is_any_narrow() || rounds_++ < blind_rounds)
       return;
     see_surface(graph, least_doubtful());
-    auto others = widest_cycles(graph, names, &Voronoi_graph::Edge::seen);
+    auto others = widest_cycles(graph, names, &Ball_network::Edge::seen);
     others.resize((std::min)(others.size(), most_.size()));
     std::vector<Class> seen;
     for(const Widest_cycle& cycle : others)
       seen.push_back({cycle.radius, cycle.row});
     take(std::move(others));
+    take_sections();
     find_leaks(graph, names, seen);
   }
 
   std::vector<Widest_cycle>
-  widest_cycles(const Voronoi_graph& graph, Edge_names& names, Widest_cycles::Width width) const {
+  widest_cycles(const Ball_network& graph, Edge_names& names, Widest_cycles::Width width) const {
     return Widest_cycles(execution_, graph, names, width).find(loops_.size());
   }
 
@@ -283,43 +291,70 @@ private:
     std::vector<Cycle_trial> found(cycles.size());
     for_each_index(
         execution_, cycles.size(),
-        [&](std::size_t i) { found[i] = tries_.trial(cycles[i], most_[i]); }, 1);
+        [&](std::size_t i) {
+          found[i] = tries_.trial(cycles[i], most_[i]);
+          const double most = (std::min)(most_[i], caps_.of_cycle(cycles[i].row));
+          if(found[i].is_wide && found[i].radius < (1. - gap_) * most)
+            found[i] = tries_.widened(std::move(found[i]), cycles[i].row, most);
+        },
+        1);
     take(std::move(cycles), std::move(found));
   }
 
-  // Beside loops there is room, where none is known among the points; for a ball that passes
-  // through the loop's partner.
+  // Beside loops, for a ball that passes through the loop's partner.
   void take_pushed_loops() {
     const Pushed_loops pushed(wall_, clearance_, tries_);
-    std::vector<std::optional<Widest_cycle>> walks(2 * loops_.size());
+    std::vector<std::vector<Pushed_loops::Free_walk>> walks(loops_.size());
     for_each_index(
-        execution_, walks.size(),
-        [&](std::size_t i) {
-          const std::size_t loop = i / 2, partner = loop ^ 1;
-          walks[i] = pushed.find(loops_[loop], i % 2 != 0, cap_of_[partner]);
+        execution_, loops_.size(),
+        [&](std::size_t l) {
+          const Index partner = static_cast<Index>(l) ^ 1;
+          walks[l] = pushed.find(loops_[l], partner, caps_.of_loop(partner));
+          for(auto& [row, trial] : walks[l])
+            if(!row.empty())
+              trial = tries_.widened(std::move(trial), row, caps_.of_cycle(row));
         },
         1);
     std::vector<Widest_cycle> cycles;
-    for(std::optional<Widest_cycle>& walk : walks)
-      if(walk && !walk->row.empty())
-        cycles.push_back(*std::move(walk));
-    std::vector<Cycle_trial> found(cycles.size());
-    for_each_index(
-        execution_, cycles.size(), [&](std::size_t i) { found[i] = widened(cycles[i]); }, 1);
+    std::vector<Cycle_trial> found;
+    for(auto& beside : walks)
+      for(auto& [row, trial] : beside)
+        if(!row.empty()) {
+          cycles.push_back(Cycle_trials::cycle_along(trial, row));
+          found.push_back(std::move(trial));
+        }
     take(std::move(cycles), std::move(found));
   }
 
-  // As wide as the next bound above lets it be.
-  Cycle_trial widened(const Widest_cycle& walk) const {
-    Cycle_trial trial = tries_.trial(walk, 2. * walk.radius);
-    const auto bound = std::find_if(most_.rbegin(), most_.rend(),
-                                    [&](double most) { return most >= trial.radius; });
-    if(bound != most_.rend())
-      if(Cycle_trial wider = tries_.trial(walk, *bound);
-         wider.is_wide && wider.radius > trial.radius)
-        trial = std::move(wider);
-    trial.narrow.clear(); // it is not there that cycles slip through
-    return trial;
+  // What parts of the ways that are known make up.
+  void take_parts_of_ways() {
+    if(do_bounds_agree())
+      return;
+    const Ball_network network = network_of_ways(execution_, clearance_, trials_);
+    Edge_names names(network, linked_);
+    std::vector<Widest_cycle> cycles =
+        Widest_cycles(execution_, network, names, &Ball_network::Edge::radius).find(loops_.size());
+    std::vector<Cycle_trial> found(cycles.size());
+    for_each_index(
+        execution_, cycles.size(),
+        [&](std::size_t i) {
+          found[i] = tries_.along(cycles[i], cycles[i].radius, Cycle_trials::Places::KEEP);
+          found[i].is_wide = found[i].is_wide && tries_.row_of(found[i].curve) == cycles[i].row;
+          if(found[i].is_wide)
+            found[i] = tries_.widened(std::move(found[i]), cycles[i].row,
+                                      (std::min)(most_[i], caps_.of_cycle(cycles[i].row)));
+        },
+        1);
+    take(std::move(cycles), std::move(found));
+  }
+
+  // Caps across the narrow places of cycles that might be wider by what is known.
+  void take_sections() {
+    caps_.add_sections(1. - gap_, cycles_, trials_);
+    most_.resize(caps_.most().size(), std::numeric_limits<double>::infinity());
+    for(std::size_t i = 0; i < most_.size(); ++i)
+      most_[i] = (std::min)(most_[i], caps_.most()[i]);
+    judge();
   }
 
   // Of the cycles and these, the ones that have most room and are independent.
@@ -426,24 +461,24 @@ private:
     for_each_index(
         execution_, graph.nodes.size(),
         [&](std::size_t i) {
-          if(const Voronoi_graph::Node& n = graph.nodes[i]; n.radius >= least)
+          if(const Ball_network::Node& n = graph.nodes[i]; n.radius >= least)
             clearance[i] = clearance_.at(n.place, n.radius, about);
         },
         256);
     for_each_index(
         execution_, graph.edges.size(),
         [&](std::size_t i) {
-          if(Voronoi_graph::Edge& e = graph.edges[i]; e.radius >= least)
+          if(Ball_network::Edge& e = graph.edges[i]; e.radius >= least)
             e.seen = e.radius * static_cast<float>(seen_part(graph, e, clearance));
         },
         256);
   }
 
-  double seen_part(const Voronoi_graph& graph,
-                   const Voronoi_graph::Edge& edge,
+  double seen_part(const Ball_network& graph,
+                   const Ball_network::Edge& edge,
                    const std::vector<double>& clearance) const {
     const auto [a, b] = edge.nodes;
-    const Voronoi_graph::Node &n = graph.nodes[a], &m = graph.nodes[b];
+    const Ball_network::Node &n = graph.nodes[a], &m = graph.nodes[b];
     if(norm(n.place - m.place) >= about * (clearance[a] + clearance[b]) &&
        wall_.meets(n.place, m.place))
       return 0.;
@@ -480,8 +515,9 @@ private:
   }
 
   std::vector<Vector> curve(std::size_t cycle) const {
-    const auto& [radius, places, is_wide, narrow, is_leak_known] = trials_[cycle];
-    return Ball_curve(clearance_, linked_, radius / (1. - clearance_.tolerance()), places)
+    const Cycle_trial& trial = trials_[cycle];
+    return Ball_curve(clearance_, linked_, trial.radius / (1. - clearance_.tolerance()),
+                      trial.curve)
         .tightened();
   }
 
@@ -531,16 +567,16 @@ private:
   std::vector<Surface_points::Request> requests_;
   std::vector<std::vector<Vector>> loops_;
   std::vector<double> lengths_; // by loop
+  Cap_bounds caps_;
+  std::vector<double> most_; // by cycle, its radius at most
   Linked_segments linked_;
   Cycle_trials tries_;
   std::size_t places_;
+  int rounds_ = 0;                // after which bounds did not agree
   int effort_ = 0;                // rounds in which little was added
   double area_ = 0., sides_ = 0.; // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
-  std::vector<double> cap_of_;      // by loop, the radius of what is led through it at most
-  std::vector<double> caps_;        // the same, the largest first
-  std::vector<double> most_;        // by cycle, its radius at most
   std::vector<Cycle_trial> trials_; // by cycle
   std::vector<Leak> leaks_;
 };

@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/Ball_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Named_forest.h>
-#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ for the loops, random but for that they add up to nothing on all known classes.
 class Leaking_edges
 {
 public:
-  Leaking_edges(const Voronoi_graph& graph, const Edge_names& names, std::size_t number_of_loops)
+  Leaking_edges(const Ball_network& graph, const Edge_names& names, std::size_t number_of_loops)
       : graph_(graph)
       , names_(names)
       , number_of_loops_(number_of_loops) {}
@@ -57,7 +57,7 @@ public:
       else if(graph_.edges[e].radius >= radius)
         doubtful.push_back(e);
     std::sort(doubtful.begin(), doubtful.end(), [&](Index e, Index f) {
-      const Voronoi_graph::Edge &a = graph_.edges[e], &b = graph_.edges[f];
+      const Ball_network::Edge &a = graph_.edges[e], &b = graph_.edges[f];
       return std::tie(b.radius, a.nodes) < std::tie(a.radius, b.nodes);
     });
     std::vector<Index> leaking;
@@ -76,7 +76,7 @@ private:
     return sum;
   }
 
-  const Voronoi_graph& graph_;
+  const Ball_network& graph_;
   const Edge_names& names_;
   std::size_t number_of_loops_;
 };

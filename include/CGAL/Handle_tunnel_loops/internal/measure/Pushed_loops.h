@@ -14,7 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
-#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
@@ -24,7 +23,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -44,21 +45,55 @@ public:
       , clearance_(clearance)
       , trials_(trials) {}
 
-  /// a free walk beside a loop, for balls of a radius, or a half of it, a quarter, and so on.
-  std::optional<Widest_cycle>
-  find(const std::vector<Vector>& loop, bool is_left, double radius) const {
-    constexpr int most_halvings = 8;
+  /// A walk, and the balls that fit along it.
+  struct Free_walk
+  {
+    Linking_row row;
+    Cycle_trial trial;
+  };
+
+  /// free walks beside a loop, on both sides, for balls of a radius, or a half of it, a quarter,
+  /// and so on. As its partner crosses it once, the linking numbers with that differ by one: as
+  /// long as they do not, walks have got into other classes; these are among the answers, too.
+  std::vector<Free_walk> find(const std::vector<Vector>& loop, Index partner, double radius) const {
+    constexpr int most_halvings = 12;
+    std::vector<Free_walk> walks;
+    std::array<std::optional<int>, 2> numbers;
+    const auto are_known = [&] { return numbers[0] && numbers[1]; };
     for(int i = 0; i <= most_halvings; ++i, radius *= 0.5) {
-      const Widest_cycle balls = beside(loop, radius, is_left);
-      if(balls.balls.empty())
-        continue;
-      if(const Cycle_trial trial = trials_.along(balls, radius, false); trial.is_wide)
-        return walk(trial);
+      if(are_known() && std::abs(*numbers[0] - *numbers[1]) == 1)
+        break;
+      const bool is_again = are_known();
+      for(const int side : {0, 1})
+        if(!numbers[side] || is_again)
+          if(auto found = free_walk(loop, side != 0, radius)) {
+            numbers[side] = number_of(partner, found->row);
+            walks.push_back(*std::move(found));
+          }
     }
-    return std::nullopt;
+    return walks;
   }
 
 private:
+  static int number_of(Index loop, const Linking_row& row) {
+    for(const auto& [other, number] : row)
+      if(other == loop)
+        return number;
+    return 0;
+  }
+
+  std::optional<Free_walk>
+  free_walk(const std::vector<Vector>& loop, bool is_left, double radius) const {
+    const Widest_cycle balls = beside(loop, radius, is_left);
+    if(balls.balls.empty())
+      return std::nullopt;
+    Cycle_trial trial = trials_.along(balls, radius, Cycle_trials::Places::SPREAD);
+    if(!trial.is_wide)
+      return std::nullopt;
+    Linking_row row = trials_.row_of(trial.curve);
+    return Free_walk{std::move(row), std::move(trial)};
+  }
+
   // Balls at places about a radius apart, but for those from where no room is found; none if these
   // are many.
   Widest_cycle beside(const std::vector<Vector>& loop, double radius, bool is_left) const {
@@ -109,17 +144,6 @@ private:
     std::stable_sort(sides.begin(), sides.end(),
                      [](const Side& a, const Side& b) { return a.distance < b.distance; });
     return {sides[0], sides[1]};
-  }
-
-  Widest_cycle walk(const Cycle_trial& trial) const {
-    Widest_cycle cycle = {trial.radius, trials_.row_of(trial.curve), {}};
-    for(const Free_ball& ball : trial.curve)
-      cycle.balls.push_back({ball.place, ball.radius});
-    const auto smallest =
-        std::min_element(cycle.balls.begin(), cycle.balls.end(),
-                         [](const auto& a, const auto& b) { return a.radius < b.radius; });
-    std::rotate(cycle.balls.begin(), smallest, cycle.balls.end());
-    return cycle;
   }
 
   const Wall& wall_;

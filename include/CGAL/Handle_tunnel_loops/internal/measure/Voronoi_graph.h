@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/Ball_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/insertion_order.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -38,9 +39,10 @@ The vertices and edges of the Voronoi diagram of points, and how far they are fr
 all is farther from them than a radius, every closed curve can be pushed to closed walks on edges
 that are, too.
 
-Points far away all around are added, so that there is no vertex at infinity.
+Points far away all around are added, so that there is no vertex at infinity. The ball of a vertex
+is that through the points of its cell.
 */
-class Voronoi_graph
+class Voronoi_graph : public Ball_network
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point = Kernel::Point_3;
@@ -54,20 +56,6 @@ class Voronoi_graph
 
 public:
   using Vertex_handle = Delaunay::Vertex_handle;
-
-  /// The middle of the ball through the points of a cell.
-  struct Node
-  {
-    Vector place;
-    double radius;
-  };
-
-  struct Edge
-  {
-    std::array<Index, 2> nodes;
-    float radius; ///< the least along the edge, rounded
-    float seen;   ///< the same as far as the surface is known
-  };
 
   /// \p box_low and \p box_high are corners of a box around all points that are ever added.
   Voronoi_graph(const Vector& box_low, const Vector& box_high) {
@@ -105,7 +93,7 @@ public:
         for(int k = 0; k < 4; ++k)
           if(const Index j = cells[i]->neighbor(k)->info(); j != no_index && i < j) {
             const double radius =
-                norm(narrowest(cells[i], k) - place(cells[i]->vertex((k + 1) % 4)));
+                norm(narrowest_across(cells[i], k) - place(cells[i]->vertex((k + 1) % 4)));
             const auto least =
                 static_cast<float>((std::min)({radius, nodes[i].radius, nodes[j].radius}));
             found.push_back({{static_cast<Index>(i), j}, least, least});
@@ -122,19 +110,6 @@ public:
                                          : delaunay_.nearest_vertex(q, nearest->cell());
     return norm(place(nearest) - p);
   }
-
-  /// the point of an edge that is nearest to the points that the balls of both its ends pass.
-  Vector narrowest(Index edge) const {
-    const Node &a = nodes[edges[edge].nodes[0]], &b = nodes[edges[edge].nodes[1]];
-    const Vector way = b.place - a.place;
-    const double square = dot(way, way);
-    const double ratio =
-        square > 0. ? 0.5 * (square + (a.radius - b.radius) * (a.radius + b.radius)) / square : 0.;
-    return a.place + (std::max)(0., (std::min)(1., ratio)) * way;
-  }
-
-  std::vector<Node> nodes;
-  std::vector<Edge> edges;
 
 private:
   static constexpr double distance_of_frame = 8.; // in diagonals
@@ -171,7 +146,7 @@ private:
 
   // Where the edge across a facet is nearest to the corners of that: in the middle of the circle
   // through them, if it passes there, or else at one of its ends.
-  Vector narrowest(Cell_handle c, int k) const {
+  Vector narrowest_across(Cell_handle c, int k) const {
     const Node &n = nodes[c->info()], &m = nodes[c->neighbor(k)->info()];
     const Vector a = place(c->vertex((k + 1) % 4)), p = place(c->vertex((k + 2) % 4)) - a,
                  q = place(c->vertex((k + 3) % 4)) - a;

@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/Ball_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Edge_names.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Named_forest.h>
-#include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -38,11 +38,11 @@ struct Widest_cycle
 {
   double radius; ///< the least distance of the points along it
   Linking_row row;
-  std::vector<Voronoi_graph::Node> balls; ///< the first is the smallest
+  std::vector<Ball_network::Node> balls; ///< the first is the smallest
 };
 
 /*!
-The widest closed walks of a Voronoi graph that are independent by their linking numbers.
+The widest closed walks of a network of balls that are independent by their linking numbers.
 
 Edges are taken in the order of falling radius (Kruskal). One that joins what is not yet joined
 becomes one of a forest; another one closes a cycle with it, of which nothing but the linking
@@ -54,10 +54,10 @@ Edges come in portions, the widest first, until there are enough cycles.
 class Widest_cycles
 {
 public:
-  using Width = float Voronoi_graph::Edge::*;
+  using Width = float Ball_network::Edge::*;
 
   /// \p width is which of the radii of edges counts.
-  Widest_cycles(Execution execution, const Voronoi_graph& graph, Edge_names& names, Width width)
+  Widest_cycles(Execution execution, const Ball_network& graph, Edge_names& names, Width width)
       : execution_(execution)
       , graph_(graph)
       , names_(names)
@@ -88,7 +88,7 @@ private:
   };
 
   bool is_before(Index e, Index f) const {
-    const Voronoi_graph::Edge &a = graph_.edges[e], &b = graph_.edges[f];
+    const Ball_network::Edge &a = graph_.edges[e], &b = graph_.edges[f];
     return std::tie(b.*width_, a.nodes) < std::tie(a.*width_, b.nodes);
   }
 
@@ -194,7 +194,7 @@ private:
   }
 
   Execution execution_;
-  const Voronoi_graph& graph_;
+  const Ball_network& graph_;
   Edge_names& names_;
   Width width_;
   std::vector<Index> order_;

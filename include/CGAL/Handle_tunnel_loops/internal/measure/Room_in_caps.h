@@ -7,11 +7,12 @@
 //
 // Author(s)     : The Handle_tunnel_loops authors
 
-#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_LOOP_CAPS_H
-#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_LOOP_CAPS_H
+#ifndef CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_ROOM_IN_CAPS_H
+#define CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_ROOM_IN_CAPS_H
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
@@ -27,48 +28,48 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /*!
-How wide balls are at most that are led through a loop.
+How wide balls are at most that pass a cap.
 
-Their way passes any disc that the loop bounds, at a point from which the surface is no nearer than
-their radius. The disc is the cone over the loop from its centroid, in pieces. On a piece, the
-distance to a face is convex, and so at most what interpolates it between the corners. Of two faces
-the smaller such number counts: where a wall is thin, these are the two sides of it, and large
-pieces do. Where it is not so, pieces are divided.
+They do so at a point from which the surface is no nearer than their radius. What is led through a
+loop passes any disc that the loop bounds, such as the cone over it from its centroid. On a piece of
+a cap, the distance to a face is convex, and so at most what interpolates it between the corners. Of
+two faces the smaller such number counts: where a wall is thin, these are the two sides of it, and
+large pieces do. Where it is not so, pieces are divided.
 */
-class Loop_caps
+class Room_in_caps
 {
 public:
   /// \p tolerance is how much more than the least bound that this can find is enough, as a part.
-  Loop_caps(const Face_tree& faces, double tolerance)
+  Room_in_caps(const Face_tree& faces, const Clearance& clearance, double tolerance)
       : faces_(faces)
+      , clearance_(clearance)
       , tolerance_(tolerance) {}
 
-  /// of a loop on the surface. The more pieces it takes, up to a number, the better it is.
-  double largest_radius(const std::vector<Vector>& loop) const {
+  /// of the cone over a loop on the surface. The more pieces it takes, up to a number, the better
+  /// it is.
+  double of_loop(const std::vector<Vector>& loop) const {
     const Corner middle = corner_at(centroid(loop));
-    double room = middle.distance; // somewhere in the disc
-    std::priority_queue<Piece> pieces;
+    std::vector<std::array<Corner, 3>> cone;
     Corner a = corner_at(loop.back());
     for(const Vector& p : loop) {
       const Corner b = corner_at(p);
-      pieces.push(piece({middle, a, b}));
+      cone.push_back({middle, a, b});
       a = b;
     }
-    const std::size_t most = most_pieces + 4 * loop.size();
-    for(std::size_t i = 0; i < most && pieces.top().radius > (1. + tolerance_) * room; ++i) {
-      const Piece whole = pieces.top();
-      pieces.pop();
-      const auto [u, v, w] = with_longest_side_first(whole.corners);
-      const Corner half = corner_at(0.5 * (u.place + v.place));
-      room = (std::max)(room, half.distance);
-      pieces.push(piece({u, half, w}));
-      pieces.push(piece({half, v, w}));
-    }
-    return (std::max)(room, pieces.top().radius);
+    return largest_radius(cone, nothing_is_farther);
+  }
+
+  /// of a cap in triangles; or any number that is larger than \p enough, if it is so.
+  double of_triangles(const std::vector<std::array<Vector, 3>>& triangles, double enough) const {
+    std::vector<std::array<Corner, 3>> cap;
+    for(const auto& [a, b, c] : triangles)
+      cap.push_back({corner_at(a), corner_at(b), corner_at(c)});
+    return largest_radius(cap, enough);
   }
 
 private:
   static constexpr std::size_t most_pieces = 2000;
+  static constexpr double nothing_is_farther = 4.;
 
   struct Corner
   {
@@ -85,6 +86,29 @@ private:
     bool operator<(const Piece& other) const { return radius < other.radius; }
   };
 
+  double largest_radius(const std::vector<std::array<Corner, 3>>& cap, double enough) const {
+    double room = 0.; // somewhere in the cap
+    std::priority_queue<Piece> pieces;
+    for(const std::array<Corner, 3>& corners : cap) {
+      for(const Corner& corner : corners)
+        room = (std::max)(room, corner.distance);
+      pieces.push(piece(corners));
+    }
+    const std::size_t most = most_pieces + 4 * cap.size();
+    for(std::size_t i = 0;
+        i < most && room <= enough && pieces.top().radius > (1. + tolerance_) * room; ++i)
+    {
+      const Piece whole = pieces.top();
+      pieces.pop();
+      const auto [u, v, w] = with_longest_side_first(whole.corners);
+      const Corner half = corner_at(0.5 * (u.place + v.place));
+      room = (std::max)(room, half.distance);
+      pieces.push(piece({u, half, w}));
+      pieces.push(piece({half, v, w}));
+    }
+    return (std::max)(room, pieces.top().radius);
+  }
+
   static Vector centroid(const std::vector<Vector>& loop) {
     Vector sum = {0., 0., 0.};
     double length = 0.;
@@ -97,16 +121,8 @@ private:
   }
 
   Corner corner_at(const Vector& p) const {
-    constexpr double nothing_is_farther = 4.;
-    Corner corner = {p, 0, nothing_is_farther};
-    faces_.boxes().for_each_nearer(p, nothing_is_farther * nothing_is_farther, [&](Index f) {
-      if(const double d = distance(p, f); d < corner.distance) {
-        corner.distance = d;
-        corner.face = f;
-      }
-      return corner.distance * corner.distance;
-    });
-    return corner;
+    const auto touch = clearance_.nearest(p, nothing_is_farther);
+    return touch ? Corner{p, touch->face, touch->distance} : Corner{p, 0, nothing_is_farther};
   }
 
   double distance(const Vector& p, Index f) const {
@@ -155,9 +171,10 @@ private:
   }
 
   const Face_tree& faces_;
+  const Clearance& clearance_;
   double tolerance_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_LOOP_CAPS_H
+#endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_ROOM_IN_CAPS_H
