@@ -169,7 +169,7 @@ private:
   }
 
   template <typename Flatten>
-  Ridge uphill(const Vector& from, double radius, int most_steps, const Flatten& flatten) const {
+  Ridge uphill(const Vector& from, double radius, int steps, const Flatten& flatten) const {
     constexpr double enough = 1.5, longest = 0.75, least_slope = 0.005;
     const double wanted = (1. + 0.125 * tolerance_) * radius;
     Ridge ridge;
@@ -177,15 +177,15 @@ private:
     for(int k = 0;; ++k) {
       const std::optional<Touch> touch = nearest(ridge.place, enough * radius);
       ridge.room = touch ? touch->distance : enough * radius;
-      if(ridge.room >= radius || ridge.room == 0. || k == most_steps)
+      if(ridge.room >= radius || ridge.room == 0. || k == steps)
         break;
-      const Vector uphill = away_from(*touch, wanted, ridge, flatten);
-      const double slope = norm(uphill);
+      const Vector away = away_from(*touch, wanted, ridge, flatten);
+      const double slope = norm(away);
       if(slope < least_slope)
         break;
       // No farther than what is known to be free.
       const double step = (std::min)(longest * ridge.room, (wanted - ridge.room) / slope);
-      ridge.place = ridge.place + (step / slope) * uphill;
+      ridge.place = ridge.place + (step / slope) * away;
     }
     return ridge;
   }
