@@ -57,10 +57,11 @@ material, between an outer shell and its cavities, and a ball that moves through
 with loops of any component.
 
 Distances are measured to the faces, not only to the vertices. Each value has an error bound: the
-true value lies between the clearance of the returned curve and an upper bound for all such curves,
-derived from the Voronoi diagram of points on the surface. The function adds points where the two
-differ. The values are computed in floating-point arithmetic and are not certified; the error bound
-does not include rounding errors.
+true value lies between the clearance of the returned curve and an upper bound for all such curves:
+the clearance on caps that they pass, which are cones over loops and plane sections; or, where these
+do not suffice, that of the Voronoi diagram of points on the surface. The function adds points where
+the bounds differ. The values are computed in floating-point arithmetic and are not certified; the
+error bound does not include rounding errors.
 
 Boundary curves are closed by caps, which are fans of faces around their centers and count as
 surface. If the surface with its caps touches or crosses itself, there is no inside and nothing is

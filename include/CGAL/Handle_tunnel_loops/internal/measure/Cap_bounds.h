@@ -121,15 +121,16 @@ private:
     std::vector<Cap> caps;
     for(const double radius : of_loop_)
       caps.push_back({radius, {}});
-    for(Index j = 0; j < cycles.size(); ++j)
+    for(const Section_cap& cap : sections_)
+      caps.push_back({cap.radius, {}});
+    for(Index j = 0; j < cycles.size(); ++j) {
+      if(!trials[j].is_wide) // what passes sections is its curve
+        continue;
       for(const auto& [loop, number] : cycles[j].row)
         caps[loop].row.emplace_back(j, number);
-    for(const Section_cap& cap : sections_) {
-      caps.push_back({cap.radius, {}});
-      for(Index j = 0; j < cycles.size(); ++j)
-        if(const int number = trials[j].is_wide ? cap.section->passages(trials[j].curve) : 0;
-           number != 0)
-          caps.back().row.emplace_back(j, number);
+      for(std::size_t s = 0; s < sections_.size(); ++s)
+        if(const int number = sections_[s].section->passages(trials[j].curve); number != 0)
+          caps[of_loop_.size() + s].row.emplace_back(j, number);
     }
     std::stable_sort(caps.begin(), caps.end(),
                      [](const Cap& a, const Cap& b) { return a.radius < b.radius; });
