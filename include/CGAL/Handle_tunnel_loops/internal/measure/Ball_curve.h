@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,8 @@ inline double closed_length(const std::vector<Vector>& points) {
 
 /*!
 A closed curve along which a ball of a given radius fits, made short: points are left out where the
-straight way is free for the ball and passes the same curtains. The first point stays.
+straight way is free for the ball and passes the same curtains. It begins where the room is least,
+to a part of the radius.
 */
 class Ball_curve
 {
@@ -61,6 +63,7 @@ public:
       if(round + 1 < most_rounds)
         divide();
     }
+    begin_at_throat();
     return places();
   }
 
@@ -114,6 +117,45 @@ private:
           finer.push_back(ball);
     }
     balls_ = std::move(finer);
+  }
+
+  /// Between two balls of the curve, or points between them.
+  struct Piece
+  {
+    double least; // room, at least
+    Free_ball a, b;
+    std::size_t after; // which ball of the curve
+
+    bool operator<(const Piece& other) const { return least > other.least; }
+  };
+
+  void begin_at_throat() {
+    const double precision = 4. * clearance_.tolerance();
+    std::priority_queue<Piece> pieces;
+    const auto add = [&](const Free_ball& a, const Free_ball& b, std::size_t after) {
+      pieces.push({Clearance::least_between(a, b), a, b, after});
+    };
+    Piece narrowest = {0., balls_[0], balls_[0], 0};
+    for(std::size_t i = 0; i < balls_.size(); ++i) {
+      if(balls_[i].radius < narrowest.a.radius)
+        narrowest = {0., balls_[i], balls_[i], i};
+      add(balls_[i], ball(i + 1), i);
+    }
+    while(pieces.top().least < (1. - precision) * narrowest.a.radius) {
+      const Piece whole = pieces.top();
+      pieces.pop();
+      const Free_ball middle = clearance_.ball_at(0.5 * (whole.a.place + whole.b.place), radius_);
+      if(middle.radius < narrowest.a.radius)
+        narrowest = {0., middle, middle, whole.after};
+      add(whole.a, middle, whole.after);
+      add(middle, whole.b, whole.after);
+    }
+    std::rotate(balls_.begin(), balls_.begin() + static_cast<std::ptrdiff_t>(narrowest.after) + 1,
+                balls_.end());
+    if(narrowest.a.place != balls_.back().place)
+      balls_.insert(balls_.begin(), narrowest.a);
+    else
+      std::rotate(balls_.begin(), balls_.end() - 1, balls_.end());
   }
 
   const Clearance& clearance_;
