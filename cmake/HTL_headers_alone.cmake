@@ -51,8 +51,10 @@ _htl_add_headers_alone(headers_alone_public ${_htl_headers})
 _htl_add_headers_alone(headers_alone_internal ${_htl_internal_headers})
 # Programs may include windows.h first.
 if(NOT MSVC)
-  target_compile_options(headers_in_any_order PRIVATE
-    -include "${CMAKE_CURRENT_SOURCE_DIR}/test/Handle_tunnel_loops/include/macros_of_windows.h")
+  foreach(_htl_target IN ITEMS headers_in_any_order headers_alone_public)
+    target_compile_options(${_htl_target} PRIVATE
+      -include "${CMAKE_CURRENT_SOURCE_DIR}/test/Handle_tunnel_loops/include/macros_of_windows.h")
+  endforeach()
 endif()
 # Parsing these again for each of hundreds of headers took more than all else that is compiled. What
 # programs include are the public headers, for which nothing is prepared.

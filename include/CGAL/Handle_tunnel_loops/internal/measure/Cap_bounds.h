@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Linking_rank.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Plane_section.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Room_in_caps.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>

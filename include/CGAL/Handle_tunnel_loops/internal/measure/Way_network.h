@@ -23,6 +23,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -63,8 +64,8 @@ inline Ball_network network_of_ways(Execution execution,
         {edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info()});
   for(const auto& [a, b] : ends)
     if(const double radius =
-           clearance.least_between({network.nodes[a].place, network.nodes[a].radius},
-                                   {network.nodes[b].place, network.nodes[b].radius});
+           Clearance::least_between({network.nodes[a].place, network.nodes[a].radius},
+                                    {network.nodes[b].place, network.nodes[b].radius});
        a != b && radius > 0.)
       network.edges.push_back({{a, b}, static_cast<float>(radius), static_cast<float>(radius)});
   return network;

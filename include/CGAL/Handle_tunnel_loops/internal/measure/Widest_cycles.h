@@ -38,7 +38,7 @@ struct Widest_cycle
 {
   double radius; ///< the least distance of the points along it
   Linking_row row;
-  std::vector<Ball_network::Node> balls; ///< the first is the smallest
+  std::vector<Ball_network::Node> balls; ///< of those of a graph, the first is the smallest
 };
 
 /*!
