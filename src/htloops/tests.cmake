@@ -9,8 +9,8 @@ foreach(script IN ITEMS batch_end_to_end check_end_to_end end_to_end files_end_t
   set_tests_properties(htloops_${script} PROPERTIES LABELS tool TIMEOUT ${HTL_TEST_TIME_LIMIT})
 endforeach()
 
-# The meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one: an
-# eighth of them, and with the label "long" all.
+# The meshes of the folder HTL_MESHES (default: shared/meshes beside the checkout), where there is one: a
+# twelfth of them, and with the label "long" all.
 function(_htl_add_corpus_test name part parts)
   add_test(NAME ${name}
     COMMAND "${CMAKE_COMMAND}" "-DHTLOOPS=$<TARGET_FILE:htloops>"
@@ -20,7 +20,7 @@ function(_htl_add_corpus_test name part parts)
     LABELS "tool;corpus;${ARGN}" TIMEOUT ${HTL_TEST_TIME_LIMIT} SKIP_REGULAR_EXPRESSION "SKIPPED")
 endfunction()
 
-_htl_add_corpus_test(htloops_corpus 1 8)
+_htl_add_corpus_test(htloops_corpus 1 12)
 foreach(part RANGE 1 4)
   _htl_add_corpus_test(htloops_corpus_${part}_of_4 ${part} 4 long)
 endforeach()

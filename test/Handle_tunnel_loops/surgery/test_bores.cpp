@@ -1,5 +1,6 @@
 #include "Bored_parts.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
 #include "with.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -120,8 +121,12 @@ TEST_P(Bores_of_diameters, AreChosen) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Generated, Bores, testing::Range(0u, 200u));
-INSTANTIATE_TEST_SUITE_P(Generated, Bores_of_diameters, testing::Range(0u, 200u, 5u));
+INSTANTIATE_TEST_SUITE_P(Generated,
+                         Bores,
+                         testing::Range(0u, 200u, are_few_cases_tried() ? 4u : 1u));
+INSTANTIATE_TEST_SUITE_P(Generated,
+                         Bores_of_diameters,
+                         testing::Range(0u, 200u, are_few_cases_tried() ? 15u : 5u));
 
 TEST(Bores_by_diameter, ThatMakeNoSenseAreRefused) {
   Mesh mesh = Bored_part_maker(0)().mesh;

@@ -2,6 +2,7 @@
 #include "app/read/meshes/mesh_formats.h"
 
 #include "Mesh_corpus.h"
+#include "Number_of_cases.h"
 #include "Temporary_folder.h"
 
 #include "app/failure.h"
@@ -515,10 +516,14 @@ std::vector<std::vector<std::size_t>> corners_of_faces(const Soup& soup) {
 TEST_F(Soup_reader, agrees_with_cgal) {
   if(!fs::is_directory(mesh_corpus()))
     GTEST_SKIP() << "no folder " << mesh_corpus();
+  std::vector<std::string> files;
   for(const auto& entry : fs::recursive_directory_iterator(mesh_corpus())) {
-    const std::string file = entry.path().string(), extension = entry.path().extension().string();
-    if(extension != ".off" && extension != ".obj" && extension != ".ply" && extension != ".stl")
-      continue;
+    const std::string extension = entry.path().extension().string();
+    if(extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl")
+      files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  for(const std::string& file : enough_of(files)) {
     SCOPED_TRACE(file);
     std::vector<Point> expected_points;
     std::vector<std::vector<std::size_t>> expected_faces;
