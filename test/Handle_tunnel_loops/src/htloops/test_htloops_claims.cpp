@@ -198,7 +198,8 @@ void expect_no_change_passes(const Case& original, const std::set<std::string>& 
 TEST(Claims, are_compared_value_by_value_for_loops) {
   Mended_mesh triangulated = mended_mesh_of(Recipe{"torus", {100, 1, 0}});
   triangulated.facts.unit = Unit::INCH;
-  triangulated.cuts.assign(triangulated.mesh.number_of_edges(), 1);
+  // Edges have the numbers of halfedges.
+  triangulated.cuts.assign(triangulated.mesh.number_of_halfedges(), 1);
   expect_no_change_passes(case_of_loops(std::move(triangulated)));
   Case chain = case_of_loops(mended_mesh_of(Recipe{"chain", {400, 2, 0}}));
   expect_no_change_passes(chain);

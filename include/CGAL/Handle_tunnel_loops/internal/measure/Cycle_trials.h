@@ -109,9 +109,12 @@ public:
     Cycle_trial& trial = attempt.trial;
     trial.radius = (1. - clearance_.tolerance()) * radius;
     const Ball_network::Node* before = nullptr;
-    for(const Ball_network::Node& ball : cycle.balls) {
+    for(std::size_t i = 0; i < cycle.balls.size(); ++i) {
+      const Ball_network::Node& ball = cycle.balls[i];
       if(attempt.is_over())
         return trial;
+      if(places == Places::SPREAD && is_passed(cycle, i, trial.curve))
+        continue;
       if(const auto free = places == Places::SPREAD ? clearance_.with_more_room(ball.place, radius)
                                                     : clearance_.with_room(ball.place, radius))
       {
@@ -141,7 +144,7 @@ public:
     const double least_growth = 0.25 * gap_,
                  enough = (1. - 0.25 * (gap_ - clearance_.tolerance())) * most;
     double known = trial.radius;
-    for(double growth = first_growth; growth > least_growth && known < enough;) {
+    for(double growth = enough / known - 1.; growth > least_growth && known < enough;) {
       const double radius = (std::min)((1. + growth) * known, enough);
       Cycle_trial wider = of_class(thinned(cycle_along(trial, row)), radius, Places::SPREAD);
       if(wider.is_wide) {
@@ -149,7 +152,7 @@ public:
         trial.radius = wider.radius;
         trial.curve = std::move(wider.curve);
       } else {
-        growth *= 0.5;
+        growth = (std::min)(first_growth, 0.5 * growth);
         trial.throat = wider.throat ? wider.throat : trial.throat;
       }
     }
@@ -188,6 +191,16 @@ private:
         thin.balls.push_back(cycle.balls[i]);
     }
     return thin;
+  }
+
+  // Whether a ball of a cycle, and the way to the next, are well in the last ball of a curve.
+  static bool
+  is_passed(const Widest_cycle& cycle, std::size_t i, const std::vector<Free_ball>& curve) {
+    constexpr double part = 0.5;
+    const Vector& next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
+    return !curve.empty() &&
+           (std::max)(norm(cycle.balls[i].place - curve.back().place),
+                      norm(next - curve.back().place)) < part * curve.back().radius;
   }
 
   Cycle_trial of_class(const Widest_cycle& cycle, double radius, Places places) const {

@@ -532,9 +532,13 @@ private:
     for(std::size_t i : chosen)
       rows.push_back(&cycles_[i].row);
     const Paired_cycles paired(rows, lengths_, 2);
+    std::vector<double> others; // the largest radii first, as cycles are in that order
+    for(std::size_t k = 0; k < side.size(); ++k)
+      if(side[k] == 1 - inside)
+        others.push_back(trials_[k].radius);
     for(std::size_t k = 0; k < chosen.size(); ++k)
       if(const Index pair = paired.partners()[k]; pair != no_index) {
-        const double most = most_on_side(side, inside, chosen.size() - k),
+        const double most = most_beside(others, chosen.size() - k),
                      least = trials_[chosen[k]].radius;
         auto& ball = inside != 0 ? measures.pairs[pair].inside : measures.pairs[pair].outside;
         ball = Flat_ball{0.5 * (most + least), 0.5 * (most - least), std::move(curves[chosen[k]])};
@@ -543,15 +547,15 @@ private:
 
   // The radius of the rank-th cycle on a side at most: just above it there is no place for so many,
   // beside those that are known to be on the other side.
-  double most_on_side(const std::vector<int>& side, int inside, std::size_t rank) const {
-    const auto others = [&](double radius) {
-      std::size_t count = 0;
-      for(std::size_t k = 0; k < side.size(); ++k)
-        count += side[k] == 1 - inside && trials_[k].radius > radius ? 1 : 0;
-      return count;
+  double most_beside(const std::vector<double>& others, std::size_t rank) const {
+    const auto wider = [&](double radius) {
+      return static_cast<std::size_t>(
+          std::partition_point(others.begin(), others.end(),
+                               [&](double other) { return other > radius; }) -
+          others.begin());
     };
     std::size_t i = most_.size() - 1;
-    while(i > 0 && i >= others(most_[i]) + rank)
+    while(i > 0 && i >= wider(most_[i]) + rank)
       --i;
     return most_[i];
   }
