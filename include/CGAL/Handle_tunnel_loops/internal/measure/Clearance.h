@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
@@ -121,6 +122,20 @@ public:
     const Ridge ridge = uphill(p, more * radius, most_steps / 2);
     return ridge.room >= radius ? std::optional(Free_ball{ridge.place, ridge.room})
                                 : with_room(p, radius);
+  }
+
+  /// larger and larger balls uphill from one, up to a radius, each beside the one before.
+  std::vector<Free_ball> risen(Free_ball ball, double most) const {
+    constexpr double growth = 2.; // steps uphill are shorter than the ball that they begin in
+    std::vector<Free_ball> balls;
+    while(ball.radius < most) {
+      const auto larger = with_room(ball.place, (std::min)(growth * ball.radius, most));
+      if(!larger)
+        break;
+      ball = {larger->place, at(larger->place, most)};
+      balls.push_back(ball);
+    }
+    return balls;
   }
 
   /// a ball around a point, as large as fits, or larger than a radius.

@@ -175,11 +175,8 @@ public:
     return row;
   }
 
-private:
-  static constexpr int most_divisions = 8;
-
-  // A cycle without most of its balls: those left out, and the way to the next, are well in the
-  // one before.
+  /// a cycle without most of its balls: those left out, and the way to the next, are well in the
+  /// one before.
   static Widest_cycle thinned(const Widest_cycle& cycle) {
     constexpr double part = 0.5, most_part = 2.;
     Widest_cycle thin = {cycle.radius, cycle.row, {cycle.balls.front()}};
@@ -192,6 +189,9 @@ private:
     }
     return thin;
   }
+
+private:
+  static constexpr int most_divisions = 8;
 
   // Whether a ball of a cycle, and the way to the next, are well in the last ball of a curve.
   static bool

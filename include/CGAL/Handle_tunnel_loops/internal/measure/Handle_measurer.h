@@ -93,6 +93,7 @@ public:
     if(loops_.empty())
       return {};
     take_pushed_loops();
+    take_sections();
     take_parts_of_ways();
     take_sections();
     if(do_bounds_agree())
@@ -329,10 +330,10 @@ private:
   void take_parts_of_ways() {
     if(do_bounds_agree())
       return;
-    const Ball_network network = network_of_ways(execution_, clearance_, trials_);
+    const Way_network network(execution_, clearance_, trials_, most_.front());
     Edge_names names(network, linked_);
-    std::vector<Widest_cycle> cycles =
-        Widest_cycles(execution_, network, names, &Ball_network::Edge::radius).find(loops_.size());
+    std::vector<Widest_cycle> cycles = others_than_known(
+        Widest_cycles(execution_, network, names, &Ball_network::Edge::radius).find(loops_.size()));
     std::vector<Cycle_trial> found(cycles.size());
     for_each_index(
         execution_, cycles.size(),
@@ -345,6 +346,18 @@ private:
         },
         1);
     take(std::move(cycles), std::move(found));
+  }
+
+  // Those of other classes than sums of cycles that are known to be as wide as may be.
+  std::vector<Widest_cycle> others_than_known(std::vector<Widest_cycle> cycles) const {
+    Linking_rank rank;
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
+      if(trials_[i].is_wide && trials_[i].narrow.empty())
+        rank.add(cycles_[i].row);
+    cycles.erase(std::remove_if(cycles.begin(), cycles.end(),
+                                [&](const Widest_cycle& cycle) { return !rank.add(cycle.row); }),
+                 cycles.end());
+    return cycles;
   }
 
   // Caps across the narrow places of cycles that might be wider by what is known.

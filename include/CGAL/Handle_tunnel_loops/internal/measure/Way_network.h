@@ -23,53 +23,96 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// The balls of free ways, as large as fits, joined along the ways, and to those around them
-/// (Delaunay): where ways meet, parts of them make up others.
-inline Ball_network network_of_ways(Execution execution,
-                                    const Clearance& clearance,
-                                    const std::vector<Cycle_trial>& ways) {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Delaunay = Delaunay_triangulation_3<
-      Kernel, Triangulation_data_structure_3<Triangulation_vertex_base_with_info_3<Index, Kernel>>>;
-  constexpr double nothing_is_farther = 4.;
+/*!
+Balls along free ways, as large as fits, and larger ones uphill from these, joined along the ways,
+on the way up, and to those around them (Delaunay): where ways meet, parts of them make up others.
 
-  Ball_network network;
-  std::vector<std::array<Index, 2>> ends;
-  std::vector<std::pair<Delaunay::Point, Index>> places;
-  for(const Cycle_trial& way : ways)
-    if(way.is_wide)
-      for(std::size_t i = 0; i < way.curve.size(); ++i) {
-        const Index node = static_cast<Index>(network.nodes.size());
-        const Vector& p = way.curve[i].place;
-        network.nodes.push_back({p, 0.});
-        places.emplace_back(Delaunay::Point(p[0], p[1], p[2]), node);
-        ends.push_back({node, i + 1 < way.curve.size() ? node + 1 : static_cast<Index>(node - i)});
+Ways that narrow places hindered run close to the surface elsewhere, too: uphill is where they meet.
+*/
+class Way_network : public Ball_network
+{
+public:
+  /// no ball is to be wider than \p most.
+  Way_network(Execution execution,
+              const Clearance& clearance,
+              const std::vector<Cycle_trial>& ways,
+              double most) {
+    std::vector<Ball_network> parts(ways.size());
+    for_each_index(
+        execution, ways.size(),
+        [&](std::size_t i) {
+          if(ways[i].is_wide)
+            parts[i] = part_along(clearance, ways[i], most);
+        },
+        1);
+    for(const Ball_network& part : parts) {
+      const Index first = static_cast<Index>(nodes.size());
+      nodes.insert(nodes.end(), part.nodes.begin(), part.nodes.end());
+      for(const Edge& edge : part.edges)
+        join(first + edge.nodes[0], first + edge.nodes[1]);
+    }
+    join_neighbors();
+  }
+
+private:
+  // Where a way runs well within a ball that it led up to, that does instead.
+  static Ball_network part_along(const Clearance& clearance, const Cycle_trial& way, double most) {
+    constexpr double well_within = 0.5;
+    Ball_network part;
+    const auto add_node = [&](const Free_ball& ball, Index before) {
+      if(before != no_index)
+        part.edges.push_back({{before, static_cast<Index>(part.nodes.size())}, 0.f, 0.f});
+      part.nodes.push_back({ball.place, ball.radius});
+      return static_cast<Index>(part.nodes.size() - 1);
+    };
+    Index last = no_index, top = no_index;
+    const auto is_well_within_top = [&](const Vector& p) {
+      return top != no_index &&
+             norm(p - part.nodes[top].place) < well_within * part.nodes[top].radius;
+    };
+    for(std::size_t i = 0; i < way.curve.size(); ++i) {
+      const Vector &place = way.curve[i].place,
+                   &next = way.curve[i + 1 < way.curve.size() ? i + 1 : 0].place;
+      if(is_well_within_top(place) && is_well_within_top(next)) {
+        last = top;
+        continue;
       }
-  for_each_index(
-      execution, network.nodes.size(),
-      [&](std::size_t i) {
-        network.nodes[i].radius = clearance.at(network.nodes[i].place, nothing_is_farther);
-      },
-      64);
-  const Delaunay delaunay(places.begin(), places.end());
-  for(const auto& edge : delaunay.finite_edges())
-    ends.push_back(
-        {edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info()});
-  for(const auto& [a, b] : ends)
-    if(const double radius =
-           Clearance::least_between({network.nodes[a].place, network.nodes[a].radius},
-                                    {network.nodes[b].place, network.nodes[b].radius});
+      const Free_ball ball = {place, clearance.at(place, most)};
+      top = last = add_node(ball, last);
+      for(const Free_ball& larger : clearance.risen(ball, most))
+        top = add_node(larger, top);
+    }
+    part.edges.push_back({{last, 0}, 0.f, 0.f});
+    return part;
+  }
+
+  void join(Index a, Index b) {
+    if(const double radius = Clearance::least_between({nodes[a].place, nodes[a].radius},
+                                                      {nodes[b].place, nodes[b].radius});
        a != b && radius > 0.)
-      network.edges.push_back({{a, b}, static_cast<float>(radius), static_cast<float>(radius)});
-  return network;
-}
+      edges.push_back({{a, b}, static_cast<float>(radius), static_cast<float>(radius)});
+  }
+
+  void join_neighbors() {
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    using Delaunay = Delaunay_triangulation_3<
+        Kernel,
+        Triangulation_data_structure_3<Triangulation_vertex_base_with_info_3<Index, Kernel>>>;
+    std::vector<std::pair<Delaunay::Point, Index>> places;
+    for(const Node& node : nodes)
+      places.emplace_back(Delaunay::Point(node.place[0], node.place[1], node.place[2]),
+                          static_cast<Index>(places.size()));
+    const Delaunay delaunay(places.begin(), places.end());
+    for(const auto& edge : delaunay.finite_edges())
+      join(edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info());
+  }
+};
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
