@@ -15,6 +15,7 @@
 
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
+#include "app/solve/details.h"
 #include "app/solve/removal_solver.h"
 #include "app/write/tables.h"
 
@@ -281,6 +282,7 @@ std::vector<Mesh::Edge_index> edges_between(const py::array& ends, const Mesh& m
 
 void add_surgery(py::module_& module) {
   module.def("remove_handles", &remove_handles);
+  module.def("check_noise", &htloops::check_noise);
   module.def("cut_to_disk", &cut_to_disk);
   module.def("cut_edges", &cut_edges);
   module.def("dual_cuts", &dual_cuts);

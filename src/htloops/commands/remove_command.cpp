@@ -97,7 +97,8 @@ pairs_of_noise(const Mesh& mesh, const Answer& answer, const Remove_options& opt
   if(!length)
     return std::nullopt;
   if(!options.is_sure && !options.is_dry_run)
-    check_noise(answer.pairs, answer.measures, options.noise_below, *length, diagonal_of(mesh));
+    check_noise(noise_sizes(answer.pairs, answer.measures), options.noise_below, *length,
+                diagonal_of(mesh));
   Noisy_pairs noisy = noisy_pairs(answer.pairs, answer.measures, *length);
   for(std::size_t i : noisy.undecided)
     std::fprintf(stderr, "htloops: pair %zu is kept: %s\n", i,
