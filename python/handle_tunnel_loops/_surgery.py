@@ -78,8 +78,9 @@ def remove_handles(
     face_origin : (m',): for each face the same face of the given mesh, or -1 if it is new
     report : genus_before, genus_after, components_before, components_after, and lists of dictionaries: removed
         (pair, by, length, area, volume of the solid that was taken away, negative if solid was added, change,
-        patch), refused (pair, length, reason), removed_necks, refused_necks. Each ``change``, and the change of
-        the whole mesh, measures how the shape differs: volume_removed, volume_added, cap_area; cap_ratio, the
+        patch), refused (pair, length, reason), removed_necks, refused_necks. ``by`` is "cut", "fill", or, where
+        both loops were replaced with their surroundings, "out" if solid was removed and "plug" if solid closed the
+        hole. Each ``change``, and the change of the whole mesh, measures how the shape differs: volume_removed, volume_added, cap_area; cap_ratio, the
         largest area of a cap over that of a circle as long as its rim; displacement, the largest distance of a
         cap from the old surface; burial, the largest distance from the caps of what was taken out with solid;
         sharpest_angle, at an edge of a cap, in degrees; box_growth; crossings, how many more pairs of faces
