@@ -44,7 +44,7 @@ Clean_options clean_options(const py::dict& chosen) {
     for(const std::string& name : skipped)
       if(name == htloops::name_of(static_cast<Clean_step>(i)))
         options.steps.reset(i);
-  options.channel_length = *relative(py::cast<Length>(chosen["channels"]));
+  options.channel_length = relative(py::cast<std::optional<Length>>(chosen["channels"]));
   options.floater_share = py::cast<double>(chosen["floaters"]);
   options.genus = py::cast<std::optional<std::size_t>>(chosen["genus"]);
   options.noise_below = relative(py::cast<std::optional<Length>>(chosen["noise_below"]));

@@ -15,6 +15,7 @@
 
 #include "app/draw/meshes.h"
 #include "app/solve/cut_solver.h"
+#include "app/solve/details.h"
 #include "app/solve/removal_solver.h"
 #include "app/write/tables.h"
 
@@ -79,7 +80,7 @@ py::dict words_of(const htl::Shape_change& change) {
 py::list records_of(const std::vector<htl::Removed_handle>& removed) {
   py::list list;
   for(const htl::Removed_handle& handle : removed)
-    list.append(py::dict("pair"_a = handle.pair, "by"_a = htloops::name_of(handle.by),
+    list.append(py::dict("pair"_a = handle.pair, "by"_a = htloops::name_of(handle),
                          "length"_a = handle.length, "area"_a = handle.area,
                          "volume"_a = handle.volume, "change"_a = words_of(handle.change),
                          "patch"_a = handle.patch));
@@ -218,9 +219,10 @@ std::vector<htl::Removed_handle> removed_of(const py::list& records) {
     const py::dict change = record["change"];
     htl::Removed_handle handle{};
     handle.pair = record["pair"].cast<std::size_t>();
-    for(const auto way : {htl::Removal_way::CUT, htl::Removal_way::FILL, htl::Removal_way::WHOLE})
-      if(record["by"].cast<std::string>() == htloops::name_of(way))
-        handle.by = way;
+    const auto by = record["by"].cast<std::string>();
+    handle.by = by == "cut"    ? htl::Removal_way::CUT
+                : by == "fill" ? htl::Removal_way::FILL
+                               : htl::Removal_way::WHOLE;
     handle.length = number("length");
     handle.area = number("area");
     handle.volume = number("volume");
@@ -281,6 +283,7 @@ std::vector<Mesh::Edge_index> edges_between(const py::array& ends, const Mesh& m
 
 void add_surgery(py::module_& module) {
   module.def("remove_handles", &remove_handles);
+  module.def("check_noise", &htloops::check_noise);
   module.def("cut_to_disk", &cut_to_disk);
   module.def("cut_edges", &cut_edges);
   module.def("dual_cuts", &dual_cuts);

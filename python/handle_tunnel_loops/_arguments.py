@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+import re
 from typing import Any, Dict, Iterable, List, Optional
 
 import numpy as np
@@ -103,3 +104,14 @@ def numbers(name: str, values: Any, what: str = "real numbers") -> np.ndarray:
         error = ValueError if array.dtype.kind == "f" else TypeError
         raise error(f"{name} must be an array of {what}, not of {array.dtype}")
     return array
+
+
+def in_words_of_python(line: str) -> str:
+    """What the tool says, with the names of parameters."""
+    line = re.sub(r"--channels (\S+%)", r'channels="\1"', line)
+    line = re.sub(r"(--noise-below) (\S+%)", r'\1 "\2"', line)
+    line = re.sub(r"Did you mean (\S+%)", r'Did you mean "\1"', line)
+    line = re.sub(r"--noise-below (?=[\"\d])", "noise_below=", line)
+    for option, name in (("--noise-below", "noise_below"), ("--genus", "genus"), ("--yes", "force=True")):
+        line = line.replace(option, name)
+    return line

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union, get_args
 
 import numpy as np
 
 from . import _core
-from ._arguments import length_or_none, real_or_none, threads_of, whole, word
+from ._arguments import in_words_of_python, length_or_none, real_or_none, threads_of, whole, word
 from ._meshes import soup
 from ._waiting import computed
 
@@ -25,7 +24,7 @@ def clean(
     *,
     skip: Union[CleanStep, Iterable[CleanStep]] = (),
     weld: Optional[Length] = None,
-    channels: Length = "3%",
+    channels: Optional[Length] = None,
     floaters: Union[float, str] = "0.02%",
     genus: Optional[int] = None,
     noise_below: Optional[Length] = None,
@@ -41,9 +40,10 @@ def clean(
     repair : makes an oriented triangle manifold, and welds close points
     holes : closes boundary curves where a cap fits
     orient : turns over parts that are inside out
-    channels : fills short channels between an outer and an inner wall if the inner wall becomes separate
+    channels : fills short channels between an outer and an inner wall if the inner wall becomes separate; if
+        the volume would change by more than 5%, only with channels or force
     floaters : drops small parts that touch no other part
-    shells : drops parts that lie inside another part
+    shells : drops parts that lie inside another part; if the volume would change by more than 5%, only with force
     handles : removes handles, only with genus or noise_below
 
     Parameters
@@ -53,12 +53,13 @@ def clean(
     weld : join vertices of open edges that are closer than this length; default: only those that nearly
         coincide. Lengths are in the unit of the coordinates, or a percentage of the diagonal of the bounding
         box: "3%"
-    channels : the largest circumference of a channel
+    channels : fill channels up to this circumference; default: up to "3%", where the volume changes by at most 5%
     floaters : drop parts with less than this share of the volume, 0.0002 or "0.02%", if together they have less
         than five times that share
     genus : remove the smallest handles until this many remain
     noise_below : remove handles whose thickness or clear width is less than this length
-    force : accept a noise_below above 5% of the diagonal, which is an error otherwise
+    force : change volumes by more than 5%, and accept a noise_below above 5% of the diagonal, or across a wide
+        gap between the sizes of handles, which is an error otherwise
     threads, progress : as for `loops`
 
     Returns
@@ -78,12 +79,10 @@ def clean(
     skipped = _steps(skip)
     if genus is not None and noise_below is not None:
         raise ValueError("genus and noise_below cannot be given together")
-    for step, name, value in (("repair", "weld", weld), ("handles", "genus", genus),
-                              ("handles", "noise_below", noise_below)):
+    for step, name, value in (("repair", "weld", weld), ("channels", "channels", channels),
+                              ("handles", "genus", genus), ("handles", "noise_below", noise_below)):
         if step in skipped and value is not None:
             raise ValueError(f"{name} is for a step that skip leaves out: {step!r}")
-    if channels is None:
-        raise TypeError('channels must be a length; to leave channels open, use skip="channels"')
     chosen: Dict[str, Any] = dict(
         skip=skipped,
         weld=_length("weld", weld),
@@ -99,18 +98,10 @@ def clean(
             "clean", progress, _core.clean, *given, chosen, threads_of(threads)
         )
     except ValueError as reason:
-        raise type(reason)(_in_words_of_python(str(reason))) from None
+        raise type(reason)(in_words_of_python(str(reason))) from None
     for step in report["steps"]:
-        step["left"] = [_in_words_of_python(line) for line in step["left"]]
+        step["left"] = [in_words_of_python(line) for line in step["left"]]
     return new_V, new_F, face_origin, report
-
-
-def _in_words_of_python(line: str) -> str:
-    line = re.sub(r"--channels (\S+%)", r'channels="\1"', line)
-    line = re.sub(r"Did you mean (\S+%)", r'Did you mean "\1"', line)
-    for option, name in (("--noise-below", "noise_below"), ("--genus", "genus"), ("--yes", "force=True")):
-        line = line.replace(option, name)
-    return line
 
 
 def _steps(skip: Any) -> List[str]:

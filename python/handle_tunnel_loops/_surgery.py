@@ -8,7 +8,9 @@ from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple,
 import numpy as np
 
 from . import _core
-from ._arguments import length_or_none, numbers, real_or_none, threads_of, vertices, whole, wholes, word
+from ._arguments import (
+    in_words_of_python, length_or_none, numbers, real_or_none, threads_of, vertices, whole, wholes, word
+)
 from ._loops import Loop, Loops, _loops_of, record_of
 from ._loops import loops as loops_of_mesh
 from ._measures import measures_of, precision_of
@@ -51,7 +53,8 @@ def remove_handles(
     shorter_than : remove handles with a loop shorter than this length, in the unit of the coordinates, or as a
         percentage of the diagonal of the bounding box: "3%"
     noise_below : a length like shorter_than: remove handles whose thickness or clear width is less. What
-        cannot be measured is kept. More than 5% of the diagonal is an error unless force is given
+        cannot be measured is kept. More than 5% of the diagonal, or a length across a wide gap between the
+        sizes, is an error unless force is given
     pairs : remove the handles of the pairs with these numbers, as in the table of ``loops``, which is required.
         A mapping gives the way of removal for each, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): remove handles with a loop in this box
@@ -75,8 +78,9 @@ def remove_handles(
     face_origin : (m',): for each face the same face of the given mesh, or -1 if it is new
     report : genus_before, genus_after, components_before, components_after, and lists of dictionaries: removed
         (pair, by, length, area, volume of the solid that was taken away, negative if solid was added, change,
-        patch), refused (pair, length, reason), removed_necks, refused_necks. Each ``change``, and the change of
-        the whole mesh, measures how the shape differs: volume_removed, volume_added, cap_area; cap_ratio, the
+        patch), refused (pair, length, reason), removed_necks, refused_necks. ``by`` is "cut", "fill", or, where
+        both loops were replaced with their surroundings, "out" if solid was removed and "plug" if solid closed the
+        hole. Each ``change``, and the change of the whole mesh, measures how the shape differs: volume_removed, volume_added, cap_area; cap_ratio, the
         largest area of a cap over that of a circle as long as its rim; displacement, the largest distance of a
         cap from the old surface; burial, the largest distance from the caps of what was taken out with solid;
         sharpest_angle, at an edge of a cap, in degrees; box_growth; crossings, how many more pairs of faces
@@ -129,7 +133,7 @@ def remove_handles(
             used["measures"] = measures_of(mesh, record, error, number, part(callback, begin, 0.8))
             noise = used["measures"].noise
             if not force:
-                _check_noise(noise[noise < limit], noise_below, limit, record["diagonal"])
+                _check_noise(noise, noise_below, limit, record["diagonal"])
             chosen["pairs"], begin = np.flatnonzero(noise < limit).tolist(), 0.8
         rest = part(callback, begin, 1)
         removed = computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
@@ -137,21 +141,11 @@ def remove_handles(
         return removed
 
 
-_largest_noise = 0.05  # of the diagonal, as for the tool
-
-
-def _check_noise(sizes: np.ndarray, given: Any, limit: float, diagonal: float) -> None:
-    if not limit > _largest_noise * diagonal:
-        return
-    largest = ", ".join(f"{size:.4g}" for size in np.sort(sizes)[::-1][:10])
-    removed = "no handle" if len(sizes) == 0 else f"handles with a thickness or clear width of {largest}"
-    if len(sizes) > 10:
-        removed += f" and {len(sizes) - 10} smaller ones"
-    meant = "" if isinstance(given, str) or limit > 100 else f'Did you mean "{given:g}%"? '
-    raise ValueError(
-        f"noise_below={given!r} is {100 * limit / diagonal:.3g}% of the diagonal of the bounding box: "
-        f"it would remove {removed}. {meant}Use force=True to do it anyway"
-    )
+def _check_noise(sizes: np.ndarray, given: Length, limit: float, diagonal: float) -> None:
+    try:
+        _core.check_noise(sizes, given if isinstance(given, str) else f"{given:g}", limit, diagonal)
+    except ValueError as reason:
+        raise ValueError(in_words_of_python(str(reason))) from None
 
 
 def _range(bores: Any) -> List[float]:

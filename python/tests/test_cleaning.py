@@ -76,6 +76,18 @@ def test_channels():
     assert report["components_after"] == 2 and len(report["removed"]) == 1 == len(report["removed_necks"])
 
 
+def test_large_hollows_are_filled_only_if_that_is_asked_for():
+    S, T = htl.generate("sphere", faces=1280)
+    drained, closed = htl.generate("hollow", genus=0, faces=60000, necks=2), joined((S, T), (0.6 * S, T[:, ::-1]))
+    V, F = joined(drained, (S + [20, 0, 0], T), (closed[0] + [30, 0, 0], closed[1]))
+    W, G, _, report = htl.clean(V, F)
+    assert len(G) == len(F) and report["before"] == report["after"]
+    left = {step["step"]: step["left"] for step in report["steps"]}
+    assert 'use channels="3%" to do it' in left["channels"][0] and "use force=True to do it" in left["shells"][0]
+    assert htl.clean(V, F, channels="3%")[3]["after"]["parts"] == 4
+    assert htl.clean(V, F, force=True)[3]["after"]["parts"] == 3
+
+
 def test_polygons_and_no_surfaces():
     V = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
     quads = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
@@ -92,10 +104,9 @@ def test_polygons_and_no_surfaces():
     for wrong in (dict(weld=0.0), dict(channels=np.inf)):
         with pytest.raises(ValueError, match="positive"):
             htl.clean(V, quads, **wrong)
-    for wrong in (dict(skip="handles", genus=0), dict(skip=["repair"], weld="1%")):
+    for wrong in (dict(skip="handles", genus=0), dict(skip="channels", channels=1.0), dict(skip=["repair"], weld="1%")):
         with pytest.raises(ValueError, match="leaves out"):
             htl.clean(V, quads, **wrong)
-    for wrong in (dict(channels=None), dict(skip=None)):
-        with pytest.raises(TypeError, match=next(iter(wrong))):
-            htl.clean(V, quads, **wrong)
+    with pytest.raises(TypeError, match="skip"):
+        htl.clean(V, quads, skip=None)
     assert htl.clean(V, quads, floaters="0%")[3]["closed"]

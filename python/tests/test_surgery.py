@@ -81,13 +81,23 @@ def test_large_noise_is_asked_for():
     V, F = htl.generate("torus", faces=600)
     with pytest.raises(ValueError, match=r'noise_below=2 is \d.*%.* width of \d.*Did you mean "2%"\? Use force=True'):
         htl.remove_handles(V, F, noise_below=2)
-    with pytest.raises(ValueError, match="'6%' is 6% of the diagonal.* remove no handle. Use force=True"):
+    with pytest.raises(ValueError, match='noise_below="6%" is 6% of the diagonal.* remove no handle. Use force=True'):
         htl.remove_handles(V, F, noise_below="6%")
     assert htl.remove_handles(V, F, noise_below="5%")[3]["genus_after"] == 1
     assert htl.remove_handles(V, F, noise_below=2, force=True)[3]["genus_after"] == 0
-    with pytest.raises(ValueError, match=r'noise_below 2 is .* remove 1 handle, .*Did you mean "2%"\? Use force=True'):
+    with pytest.raises(ValueError, match=r'noise_below=2 is .* remove 1 handle, .*Did you mean "2%"\? Use force=True'):
         htl.clean(V, F, noise_below=2)
     assert htl.clean(V, F, noise_below=2, force=True)[3]["after"]["genus"] == 0
+
+
+def test_a_gap_between_sizes_is_asked_for():
+    V, F = htl.generate("scan", faces=30000, genus=1, bridges=3, tunnels=3)
+    wide = r'remove 7 handles.* Between 0.05\d* and 0.28\d* there is a wide gap.*: noise_below=.* only the 6 below it'
+    for function in htl.remove_handles, htl.clean:
+        for limit in 0.4, "10%":
+            with pytest.raises(ValueError, match=wide):
+                function(V, F, noise_below=limit)
+    assert htl.remove_handles(V, F, noise_below=0.4, force=True)[3]["genus_after"] == 0
 
 
 def test_handles_are_chosen(torus):

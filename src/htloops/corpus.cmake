@@ -25,6 +25,15 @@ function(choose variable)
   set(${variable} "${chosen}" PARENT_SCOPE)
 endfunction()
 
+# A hollow with drains stays, unless it is to be filled.
+set(mesh "${meshes}/cases/hollow200_drains2mm.stl")
+if(EXISTS "${mesh}")
+  run(0 clean "${mesh}" drained.stl)
+  expect_match("${output}" "channels +left: 2 channels .*result .*volume 470452,")
+  run(0 clean "${mesh}" filled.stl --channels 3%)
+  expect_match("${output}" "result .*volume 7.9999[0-9]*e.06,")
+endif()
+
 file(GLOB accepted "${meshes}/closed/*.*" "${meshes}/sphere_like/*.*")
 choose(accepted ${accepted})
 foreach(mesh IN LISTS accepted)

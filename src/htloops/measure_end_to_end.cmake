@@ -103,6 +103,16 @@ foreach(command IN ITEMS "remove;torus.off;-o;asked.off" "clean;torus.off;asked.
   file(REMOVE "${FOLDER}/asked.off")
 endforeach()
 
+# A gap between the sizes is asked for, too, and a length in it is told.
+run(0 generate scan --genus 1 --bridges 3 --tunnels 3 --faces 30000 -o scan.off)
+foreach(limit IN ITEMS 10% 0.4)
+  run(2 remove scan.off -o asked.off --noise-below ${limit})
+  expect_match("${errors}" "remove 7 handles, .* Between 0.05[0-9]* and 0.28[0-9]* there is a wide gap.*: --noise-below [0-9.]+%? would remove only the 6 below it")
+  string(REGEX MATCH "--noise-below ([0-9.]+%?) would" found "${errors}")
+  run(0 remove scan.off -o asked.off --noise-below ${CMAKE_MATCH_1})
+  expect_match("${output}" "genus 7 -> 1, 6 removed")
+endforeach()
+
 run(2 measure torus.off --precision 50%)
 run(2 loops torus.off --measure --basis shortest)
 run(2 loops torus.off --sort noise)

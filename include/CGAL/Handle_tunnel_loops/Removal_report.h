@@ -79,7 +79,7 @@ struct Removal_options
 enum class Removal_way {
   CUT,  ///< cut along the handle loop; both ends are closed inside the solid
   FILL, ///< cut along the tunnel loop; the hole is closed on both sides
-  WHOLE ///< the surroundings of both loops are taken out and replaced by one disk
+  WHOLE ///< a disk replaces the surroundings of both loops; it plugs a hole if solid was added
 };
 
 /// \ingroup PkgHandleTunnelLoopsRef

@@ -36,6 +36,8 @@ namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Face = Changeable_mesh::Face_index;
 
+constexpr Relative_length usual_channel_length = {0.03, true}; // drains of a hollow are wider
+
 double absolute(const Relative_length& length, const Mesh& mesh) {
   return length.is_share ? length.value * diagonal_of(mesh) : length.value;
 }
@@ -87,7 +89,7 @@ public:
   Cleaned_mesh operator()() {
     progress_.start("clean");
     close_surface();
-    const double longest = absolute(options_.channel_length, mesh_);
+    const double longest = absolute(options_.channel_length.value_or(usual_channel_length), mesh_);
     if(options_.has(Clean_step::CHANNELS) && longest > 0.) // or all points are one
       take(close_channels(result_.mesh, loops(), longest, options_, progress_));
     drop_parts();
@@ -125,6 +127,7 @@ private:
     Changeable_copy copy(result_.mesh);
     const Parts parts = measured_parts(copy.mesh);
     result_.before = state_of(copy.mesh, parts, {});
+    pieces_ = parts.of_face;
     for(const Face f : copy.mesh.faces())
       was_open_.push_back(!parts.part_of(f).is_closed);
     Clean_record holes{Clean_step::HOLES};
@@ -199,9 +202,11 @@ private:
 
   void drop_parts() {
     Changeable_copy copy(result_.mesh);
-    const Parts parts = parts_of(copy.mesh, crossings_);
+    Parts parts = parts_of(copy.mesh, crossings_);
     const Part_fates decided =
-        fates_of(parts, find_copies(copy.mesh, parts), parts_that_were_open(parts), options_);
+        fates_of(parts, find_copies(copy.mesh, parts), parts_that_were_open(parts),
+                 separated_parts(parts), options_);
+    count_kept_around(parts, decided.fates);
     if(options_.has(Clean_step::FLOATERS))
       result_.records.push_back(decided.floaters);
     if(options_.has(Clean_step::SHELLS))
@@ -237,6 +242,29 @@ private:
     return were_open;
   }
 
+  // Of which the channels to a part around them have been closed.
+  std::vector<char> separated_parts(const Parts& parts) const {
+    std::vector<std::int64_t> pieces(parts.all.size(), nothing_before);
+    for(std::size_t f = 0; f < result_.face_parents.size(); ++f)
+      if(const std::int64_t parent = result_.face_parents[f]; parent != nothing_before)
+        pieces[parts.of_face[f]] = pieces_[std::size_t(parent)];
+    std::vector<char> is_separated;
+    for(std::size_t i = 0; i < parts.all.size(); ++i) {
+      const auto& around = parts.all[i].around;
+      is_separated.push_back(std::any_of(around.begin(), around.end(), [&](std::uint32_t outer) {
+        return pieces[outer] == pieces[i];
+      }));
+    }
+    return is_separated;
+  }
+
+  static void count_kept_around(Parts& parts, const std::vector<Face_fate>& fates) {
+    for(Part& part : parts.all)
+      part.depth = std::size_t(
+          std::count_if(part.around.begin(), part.around.end(),
+                        [&](std::uint32_t outer) { return fates[outer] == Face_fate::KEPT; }));
+  }
+
   // Whether anything was there that goes.
   bool take_out(Changeable_mesh& mesh, const Parts& parts, const std::vector<Face_fate>& fates) {
     for(std::size_t f = 0; f < result_.face_origins.size(); ++f)
@@ -268,8 +296,9 @@ private:
   const Clean_options& options_;
   Progress& progress_;
   Cleaned_mesh result_;
-  Crossings crossings_;        // of the mesh as it is
-  std::vector<char> was_open_; // by face of the mesh, whether its part had a boundary
+  Crossings crossings_;               // of the mesh as it is
+  std::vector<char> was_open_;        // by face of the mesh, whether its part had a boundary
+  std::vector<std::uint32_t> pieces_; // by face of the mesh, the number of its part
   std::vector<Open_hole> open_holes_;
   std::optional<Pairs> loops_;
 };

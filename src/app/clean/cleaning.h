@@ -44,11 +44,13 @@ const char* name_of(Clean_step step);
 struct Clean_options
 {
   Clean_steps steps = Clean_steps(~0ull);
-  Relative_length channel_length = {0.03, true};             ///< around them, at most
+  /// around channels, at most; by default 3%, and only if the volume stays about the same
+  std::optional<Relative_length> channel_length = std::nullopt;
   double floater_share = 2e-4;                               ///< of the volume; see `fates_of()`
   std::optional<std::size_t> genus = std::nullopt;           ///< that handles are removed down to
   std::optional<Relative_length> noise_below = std::nullopt; ///< handles this thin or narrow go
-  bool is_sure = false;      ///< whatever handles these are; see `check_noise()`
+  bool is_sure = false;      ///< whatever handles go, and however the volume changes
+  bool is_dry_run = false;   ///< nobody need be asked by `check_noise()`
   int number_of_threads = 0; ///< 0: as many as the machine has
 
   bool has(Clean_step step) const { return steps.test(static_cast<std::size_t>(step)); }
@@ -89,7 +91,8 @@ struct Cleaned_mesh : Changed_mesh
 };
 
 /*!
-Makes a closed solid of a mesh: see `Clean_step`. Points stay where they are. The result has no
+Makes a closed solid of a mesh: see `Clean_step`. Points stay where they are. What would change the
+volume of a piece much, and is not asked for, is left: see `Volume_change`. The result has no
 crossing that the mesh did not have before. A boundary curve stays where no cap fits; then the
 result is not closed, and says so. Takes three to five times as long as the loops of the mesh, more
 where it crosses itself, and about 550 bytes a face.

@@ -9,6 +9,7 @@
 
 #include "clean/fates.h"
 
+#include "clean/volume_change.h"
 #include "words.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
@@ -16,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 namespace htloops {
@@ -51,10 +54,12 @@ public:
   Judge_of_parts(const Parts& parts,
                  const std::vector<char>& is_copy,
                  const std::vector<char>& was_open,
+                 const std::vector<char>& is_separated,
                  const Clean_options& options)
       : parts_(parts.all)
       , is_copy_(is_copy)
       , was_open_(was_open)
+      , is_separated_(is_separated)
       , options_(options) {
     result_.fates.assign(parts_.size(), Face_fate::KEPT);
     for(std::size_t i = 0; i < parts_.size(); ++i)
@@ -152,6 +157,52 @@ private:
                        [&](std::uint32_t outer) { return !is_doubtful || !was_open_[outer]; });
   }
 
+  // How often what is just outside of a part is wound around; what is there twice counts once, and
+  // a hollow that is to go is none.
+  int winding_around(std::size_t part) const {
+    int winding = 0;
+    for(const std::uint32_t outer : parts_[part].around)
+      if(!is_copy_[outer] && !is_separated_[outer])
+        winding += parts_[outer].orientation;
+    return winding;
+  }
+
+  // What it does to the volume that a part is there; a wall amid solid does nothing.
+  double share_in_volume(std::size_t part) const {
+    const int out = winding_around(part), in = out + parts_[part].orientation;
+    return double((in != 0) - (out != 0)) * parts_[part].volume;
+  }
+
+  std::uint32_t outermost_around(std::size_t part) const {
+    const std::vector<std::uint32_t>& around = parts_[part].around;
+    return *std::min_element(around.begin(), around.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return parts_[a].depth < parts_[b].depth;
+    });
+  }
+
+  // Takes those from the hidden parts that it would do harm to drop, unasked.
+  void keep_hollows(Numbers& hidden) {
+    if(options_.is_sure)
+      return;
+    std::map<std::uint32_t, Numbers> walls; // by the part around them
+    for(const std::size_t i : hidden)
+      if(!is_separated_[i] && share_in_volume(i) != 0.)
+        walls[outermost_around(i)].push_back(i);
+    for(const auto& [outer, inner] : walls) {
+      Volume_change change{parts_[outer].volume, parts_[outer].volume};
+      for(const std::size_t i : inner)
+        change.before += share_in_volume(i);
+      if(!change.is_large())
+        continue;
+      for(const std::size_t i : inner)
+        hidden.erase(std::find(hidden.begin(), hidden.end(), i));
+      result_.shells.left.push_back(
+          counted(inner.size(), "shell inside another part", "shells inside another part") +
+          ": dropping " + (inner.size() == 1 ? "it" : "them") + " would change " + change.words() +
+          "; use --yes to do it");
+    }
+  }
+
   void drop_shells() {
     Numbers hidden, copies;
     std::size_t in_doubt = 0;
@@ -162,6 +213,7 @@ private:
         hidden.push_back(i);
       else if(parts_[i].depth > 0)
         ++in_doubt;
+    keep_hollows(hidden);
     drop(hidden, Face_fate::SHELL, result_.shells);
     if(!hidden.empty())
       result_.shells.done = {"dropped " + counted(hidden.size(), "shell inside another part",
@@ -171,13 +223,13 @@ private:
       result_.shells.done.push_back("dropped " + counted(copies.size(), "copy", "copies") +
                                     " of other parts at the same place");
     if(in_doubt > 0)
-      result_.shells.left = {
+      result_.shells.left.push_back(
           counted(in_doubt, "part", "parts") +
-          " inside another one, both with a boundary: perhaps one wall without its rim"};
+          " inside another one, both with a boundary: perhaps one wall without its rim");
   }
 
   const std::vector<Part>& parts_;
-  const std::vector<char>&is_copy_, &was_open_;
+  const std::vector<char>&is_copy_, &was_open_, &is_separated_;
   const Clean_options& options_;
   const Part* largest_ = nullptr;
   Amount whole_;
@@ -189,8 +241,9 @@ private:
 Part_fates fates_of(const Parts& parts,
                     const std::vector<char>& is_copy,
                     const std::vector<char>& was_open,
+                    const std::vector<char>& is_separated,
                     const Clean_options& options) {
-  return Judge_of_parts(parts, is_copy, was_open, options)();
+  return Judge_of_parts(parts, is_copy, was_open, is_separated, options)();
 }
 
 } // namespace htloops

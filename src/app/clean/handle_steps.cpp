@@ -9,11 +9,15 @@
 
 #include "clean/handle_steps.h"
 
+#include "clean/parts.h"
+#include "clean/volume_change.h"
 #include "solve/details.h"
 #include "words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +53,24 @@ Removal_answer remove_channels(const Mesh& mesh,
   return remove_handles(mesh, pairs, wanted, progress);
 }
 
+// Of the piece where it is largest, once the inner walls go.
+Volume_change change_by(const Mesh& mesh, const Changed_mesh& closed) {
+  const Parts pieces = measured_parts(Changeable_copy(mesh).mesh),
+              parts = measured_parts(Changeable_copy(closed.mesh).mesh);
+  std::vector<double> outer(pieces.all.size(), 0.); // the volumes in outer walls
+  for(std::size_t f = 0; f < closed.face_parents.size(); ++f)
+    if(const std::int64_t parent = closed.face_parents[f]; parent != nothing_before) {
+      double& most = outer[pieces.of_face[std::size_t(parent)]];
+      most = (std::max)(most, parts.all[parts.of_face[f]].volume);
+    }
+  Volume_change largest{1., 1.};
+  for(std::size_t i = 0; i < outer.size(); ++i)
+    if(const Volume_change change{pieces.all[i].volume, outer[i]};
+       change.before > 0. && std::abs(change.share()) > std::abs(largest.share()))
+      largest = change;
+  return largest;
+}
+
 // What a person may mean who finds that nothing was done.
 std::string words_of_wider_channels(const Mesh& mesh,
                                     const Pairs& pairs,
@@ -61,12 +83,14 @@ std::string words_of_wider_channels(const Mesh& mesh,
        return pair.tunnel().length() < times * most;
      }) > most_handles)
     return "";
-  const Removal_report report =
-      remove_channels(mesh, pairs, times * most, options, progress).report;
-  const double percent = 100. * times * most / diagonal_of(mesh);
-  return number_of_channels(report) == 0
-             ? ""
-             : formatted("--channels %.3g%% would close ", percent) + words_of_channels(report);
+  const Removal_answer answer = remove_channels(mesh, pairs, times * most, options, progress);
+  if(number_of_channels(answer.report) == 0)
+    return "";
+  const Volume_change change = change_by(mesh, answer);
+  return formatted("--channels %.3g%% would close ", 100. * times * most / diagonal_of(mesh)) +
+         words_of_channels(answer.report) +
+         (change.is_large() && options.has(Clean_step::SHELLS) ? ", and change " + change.words()
+                                                               : "");
 }
 
 std::vector<std::size_t> pairs_of_noise(const Mesh& mesh,
@@ -79,8 +103,8 @@ std::vector<std::size_t> pairs_of_noise(const Mesh& mesh,
   const auto [value, is_share] = *options.noise_below;
   const double below = is_share ? value * diagonal : value;
   const Measures measures = find_measures(mesh, pairs, precision, progress);
-  if(!options.is_sure)
-    check_noise(pairs, measures,
+  if(!options.is_sure && !options.is_dry_run)
+    check_noise(noise_sizes(pairs, measures),
                 is_share ? formatted("%.6g%%", 100. * value) : formatted("%.6g", value), below,
                 diagonal);
   const Noisy_pairs noisy = noisy_pairs(pairs, measures, below);
@@ -113,8 +137,16 @@ Handle_step close_channels(const Mesh& mesh,
                            Progress& progress) {
   Handle_step step{{Clean_step::CHANNELS}};
   Removal_answer answer = remove_channels(mesh, pairs, most, options, progress);
-  step.record.count = number_of_channels(answer.report);
-  if(step.record.count > 0) {
+  const std::size_t number = number_of_channels(answer.report);
+  if(number > 0 && options.has(Clean_step::SHELLS) && !options.channel_length && !options.is_sure)
+    if(const Volume_change change = change_by(mesh, answer); change.is_large()) {
+      step.record.left = {
+          words_of_channels(answer.report) + ": filling the hollow would change " + change.words() +
+          formatted("; use --channels %.3g%% to do it", 100. * most / diagonal_of(mesh))};
+      return step;
+    }
+  step.record.count = number;
+  if(number > 0) {
     step.record.done = {"closed " + words_of_channels(answer.report)};
     step.answer = std::move(answer);
     return step;

@@ -26,7 +26,8 @@ struct Handle_step
   std::optional<Removal_answer> answer = std::nullopt; ///< if the mesh is another one now
 };
 
-/// closes channels up to a length around. If there are none, a wider limit is tried, and told.
+/// closes channels up to a length around, if that is asked for or no large hollow is filled. If
+/// there are none, a wider limit is tried, and told.
 Handle_step close_channels(
     const Mesh& mesh, const Pairs& pairs, double most, const Clean_options& options, Progress&);
 

@@ -313,7 +313,7 @@ private:
     if(part == 0)
       part = table.rows.size() + 1;
     table.parts.push_back(part);
-    table.rows.push_back(cells_of(handle, name));
+    table.rows.push_back(cells_of(handle, name, diagonal_of(shown_.before)));
     table.rows.back().resize(table.columns.size());
     table.lengths.push_back(handle.length);
   }

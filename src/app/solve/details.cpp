@@ -19,6 +19,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -84,33 +85,76 @@ std::string words_of_doubt(const Measure& measure, const Pair& pair) {
          (measure.why.empty() ? "" : ": " + measure.why);
 }
 
-void check_noise(const Pairs& pairs,
-                 const Measures& measures,
-                 const std::string& text,
-                 double below,
-                 double diagonal) {
-  constexpr double largest_noise = 0.05; // noise is far smaller, and few handles of a scan are
-  constexpr std::size_t most_sizes = 10;
-  if(!(below > largest_noise * diagonal)) // as also where it is not a number
-    return;
+std::vector<double> noise_sizes(const Pairs& pairs, const Measures& measures) {
   std::vector<double> sizes;
-  for(std::size_t i : noisy_pairs(pairs, measures, below).below)
+  for(std::size_t i = 0; i < measures.size(); ++i)
     sizes.push_back(noise_of(measures[i], pairs[i]).most);
-  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  return sizes;
+}
+
+namespace {
+
+// How many of these, in descending order, are on the upper side of the widest gap between them; 0
+// if none is as wide as between the noise and the handles of an object.
+std::size_t number_above_gap(const std::vector<double>& sizes) {
+  constexpr double wide = 4.; // neighbours among the noise of a scan differ by a factor of 2
+  std::size_t number = 0;
+  double widest = wide;
+  for(std::size_t i = 1; i < sizes.size(); ++i)
+    if(sizes[i - 1] > widest * sizes[i]) {
+      number = i;
+      widest = sizes[i - 1] / sizes[i];
+    }
+  return number;
+}
+
+std::string words_of_sizes(const std::vector<double>& sizes) {
+  constexpr std::size_t most_sizes = 10;
+  if(sizes.empty())
+    return "no handle";
   std::string list;
   for(std::size_t i = 0; i < sizes.size() && i < most_sizes; ++i)
     list += (i == 0 ? " " : ", ") + formatted("%.4g", sizes[i]);
   if(sizes.size() > most_sizes)
     list += " and " + std::to_string(sizes.size() - most_sizes) + " smaller ones";
-  throw wrong_usage(
-      "--noise-below " + text +
-      formatted(" is %.3g%% of the diagonal of the bounding box", 100. * (below / diagonal)) +
-      ": it would remove " +
-      (sizes.empty() ? "no handle"
-                     : counted(sizes.size(), "handle", "handles") +
-                           ", with a thickness or clear width of" + list) +
-      ". " + (text.back() == '%' || below > 100. ? "" : "Did you mean " + text + "%? ") +
-      "Use --yes to do it anyway");
+  return counted(sizes.size(), "handle", "handles") + ", with a thickness or clear width of" + list;
+}
+
+// A length that takes those below the gap only, and is no nearer to either side.
+std::string words_of_gap(const std::vector<double>& sizes, std::size_t above, double percent_of) {
+  const double least = sizes[above - 1], most = sizes[above],
+               middle = most > 0. ? std::sqrt(least * most) : least / 2.;
+  return formatted(" Between %.4g and %.4g there is a wide gap", most, least) +
+         ", as between noise and object: --noise-below " +
+         (percent_of > 0. ? formatted("%.2g%%", 100. * middle / percent_of)
+                          : formatted("%.2g", middle)) +
+         " would remove only the " + std::to_string(sizes.size() - above) + " below it.";
+}
+
+} // namespace
+
+void check_noise(std::vector<double> sizes,
+                 const std::string& text,
+                 double below,
+                 double diagonal) {
+  constexpr double largest_noise = 0.05; // noise is far smaller, and few handles of a scan are
+  sizes.erase(
+      std::remove_if(sizes.begin(), sizes.end(), [&](double size) { return !(size < below); }),
+      sizes.end());
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  const bool is_long = below > largest_noise * diagonal, // false where it is not a number
+      is_share = text.back() == '%';
+  const std::size_t above = number_above_gap(sizes);
+  if(!is_long && above == 0)
+    return;
+  throw wrong_usage("--noise-below " + text +
+                    (is_long ? formatted(" is %.3g%% of the diagonal of the bounding box: it",
+                                         100. * (below / diagonal))
+                             : "") +
+                    " would remove " + words_of_sizes(sizes) + "." +
+                    (above > 0 ? words_of_gap(sizes, above, is_share ? diagonal : 0.) : "") + " " +
+                    (is_share || below > 100. || !is_long ? "" : "Did you mean " + text + "%? ") +
+                    "Use --yes to do it anyway");
 }
 
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer) {

@@ -54,14 +54,14 @@ Noisy_pairs noisy_pairs(const Pairs& pairs, const Measures& measures, double bel
 /// between what the smaller of thickness and clear width is, and why no more is known.
 std::string words_of_doubt(const Measure& measure, const Pair& pair);
 
-/// throws `Failure` if handles that are thinner or narrower than a length, `text` as an option, are
-/// to go and it is above 5% of the diagonal: that is often a percentage without its sign, and real
-/// handles would go. The sizes of those handles are told.
-void check_noise(const Pairs& pairs,
-                 const Measures& measures,
-                 const std::string& text,
-                 double below,
-                 double diagonal);
+/// the smaller of thickness and clear width of each, at most.
+std::vector<double> noise_sizes(const Pairs& pairs, const Measures& measures);
+
+/// throws `Failure` if handles of a size below a length, `text` as an option, are to go and real
+/// ones are likely among them: if it is above 5% of the diagonal, which is often a percentage
+/// without its sign, or there is a wide gap between the sizes. They are told, and a length in the
+/// gap.
+void check_noise(std::vector<double> sizes, const std::string& text, double below, double diagonal);
 
 /// looks for what is told of a mesh with its loops: boundary curves, if it has some, and bores.
 void add_details(const Mesh& mesh, bool do_find_waists, Answer& answer);

@@ -271,8 +271,8 @@ Json json_of(const Shape_change& change) {
 }
 
 Json json_of(const Removed_handle& handle) {
-  return {{"pair", handle.pair}, {"by", name_of(handle.by)}, {"length", handle.length},
-          {"area", handle.area}, {"volume", handle.volume},  {"change", json_of(handle.change)}};
+  return {{"pair", handle.pair}, {"by", name_of(handle)},   {"length", handle.length},
+          {"area", handle.area}, {"volume", handle.volume}, {"change", json_of(handle.change)}};
 }
 
 Json json_of(const Refused_handle& handle) {

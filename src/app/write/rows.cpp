@@ -88,8 +88,8 @@ void write_way(Text& out, const std::optional<Removed_handle>& way, const std::s
 
 void write_removal(Text& out, const Listed_removal& removal) {
   if(removal.done)
-    out << ',' << name_of(removal.done->by) << ',' << removal.done->area << ','
-        << removal.done->volume << ',';
+    out << ',' << name_of(*removal.done) << ',' << removal.done->area << ',' << removal.done->volume
+        << ',';
   else
     out << ",,,," << (removal.refused ? as_cell(removal.refused->reason) : "");
 }

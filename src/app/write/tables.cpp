@@ -23,6 +23,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <string_view>
 #include <tuple>
 
 namespace htloops {
@@ -271,37 +272,33 @@ std::string words_of_certificate(const Skeleton_answer& answer) {
          counted(edges, "edge lies", "edges lie") + " inside\n";
 }
 
-constexpr Removal_way ways[] = {Removal_way::CUT, Removal_way::FILL, Removal_way::WHOLE};
-
-std::string row(const Removed_handle& handle, const std::string& name) {
-  return row(removal_columns, cells_of(handle, name));
-}
-
 std::string row(const Refused_handle& handle, const std::string& name) {
   return padded(removal_columns[0], name) + formatted("  refused  %12.6g  ", handle.length) +
          handle.reason + "\n";
 }
 
-// First the handles, then the necks.
-template <typename Handle>
-std::string
-rows(const std::vector<Handle>& handles, const std::vector<Handle>& necks, bool show_all) {
+// First the handles, then the necks, each in words.
+template <typename Handle, typename Words>
+std::string rows(const std::vector<Handle>& handles,
+                 const std::vector<Handle>& necks,
+                 bool show_all,
+                 const Words& words) {
   return table_rows(
              handles.size(), show_all,
-             [&](std::size_t i) { return row(handles[i], std::to_string(handles[i].pair)); }) +
-         table_rows(necks.size(), show_all, [&](std::size_t i) { return row(necks[i], "neck"); });
+             [&](std::size_t i) { return words(handles[i], std::to_string(handles[i].pair)); }) +
+         table_rows(necks.size(), show_all, [&](std::size_t i) { return words(necks[i], "neck"); });
 }
 
 // "30 cut, 13 filled"
 std::string list_of_ways(const std::vector<Removed_handle>& handles) {
-  constexpr const char* participles[] = {"cut", "filled", "taken out whole"};
+  constexpr std::pair<std::string_view, const char*> participles[] = {
+      {"cut", "cut"}, {"fill", "filled"}, {"out", "taken out"}, {"plug", "plugged"}};
   std::string list;
-  for(const Removal_way way : ways) {
+  for(const auto& [name, participle] : participles) {
     const auto count = std::count_if(handles.begin(), handles.end(),
-                                     [way](const Removed_handle& h) { return h.by == way; });
+                                     [&name = name](const auto& h) { return name_of(h) == name; });
     if(count > 0)
-      list += (list.empty() ? "" : ", ") + std::to_string(count) + " " +
-              participles[static_cast<std::size_t>(way)];
+      list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + participle;
   }
   return list;
 }
@@ -712,35 +709,70 @@ void write_arc_csv(const std::string& target, const Skeleton_answer& answer) {
   out.finish();
 }
 
-const char* name_of(Removal_way way) {
-  constexpr const char* names[] = {"cut", "fill", "whole"};
-  return names[static_cast<std::size_t>(way)];
+const char* name_of(const Removed_handle& handle) {
+  switch(handle.by) {
+  case Removal_way::CUT:
+    return "cut";
+  case Removal_way::FILL:
+    return "fill";
+  default:
+    return handle.volume < 0. ? "plug" : "out";
+  }
 }
 
 namespace {
 
 std::string volume_if_any(double volume) { return volume > 0. ? formatted("%.4g", volume) : ""; }
 
+// What a person would want to look at.
+std::string words_of_harm(const Shape_change& change, double diagonal) {
+  constexpr double sharp = 80.;       // a fold by 100 degrees; parts are full of right angles
+  constexpr double most_moved = 0.05; // of the diagonal: no noise is as large
+  const bool is_sharp =
+      change.sharpest_angle<sharp, is_moved = change.displacement> most_moved * diagonal;
+  return (is_sharp ? formatted("sharp edge of %.0f degrees left", change.sharpest_angle) : "") +
+         (is_sharp && is_moved ? ", " : "") +
+         (is_moved ? formatted("moves the surface by %.2g%% of the diagonal",
+                               100. * change.displacement / diagonal)
+                   : "");
+}
+
 } // namespace
 
-std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name) {
+std::vector<std::string>
+cells_of(const Removed_handle& handle, const std::string& name, double diagonal) {
   return {name,
-          name_of(handle.by),
+          name_of(handle),
           formatted("%.6g", handle.length),
           formatted("%.4g", handle.area),
           volume_if_any(handle.change.volume_removed),
           volume_if_any(handle.change.volume_added),
           formatted("%.2f", handle.change.cap_ratio),
           formatted("%.2f", handle.length > 0. ? handle.change.displacement / handle.length : 0.),
-          formatted("%.0f", handle.change.sharpest_angle)};
+          formatted("%.0f", handle.change.sharpest_angle),
+          words_of_harm(handle.change, diagonal)};
 }
 
-std::string table_of_removals(const Removal_report& report, bool show_all) {
-  const std::string removed = rows(report.removed, report.removed_necks, show_all);
-  const std::string refused = rows(report.refused, report.refused_necks, show_all);
+std::string table_of_removals(const Removal_report& report, double diagonal, bool show_all) {
+  bool has_notes = false;
+  for(const auto* some : {&report.removed, &report.removed_necks})
+    for(const Removed_handle& handle : *some)
+      has_notes |= !words_of_harm(handle.change, diagonal).empty();
+  const auto with_notes = [&](std::vector<std::string> cells) {
+    if(!has_notes || cells.back().empty()) // lines end in no blanks
+      cells.pop_back();
+    return row(removal_columns, cells);
+  };
+  const std::string removed = rows(report.removed, report.removed_necks, show_all,
+                                   [&](const Removed_handle& handle, const std::string& name) {
+                                     return with_notes(cells_of(handle, name, diagonal));
+                                   });
+  const std::string refused =
+      rows(report.refused, report.refused_necks, show_all,
+           [](const Refused_handle& handle, const std::string& name) { return row(handle, name); });
   std::string table;
   if(!removed.empty())
-    table += row(removal_columns, names_of(removal_columns)) + removed;
+    table += with_notes(names_of(removal_columns)) + removed;
   if(!refused.empty())
     table += " pair  result         length  why\n" + refused;
   return table;

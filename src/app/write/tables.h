@@ -183,8 +183,9 @@ std::string summary(const Skeleton_answer& answer, double read_seconds);
 /// writes a header and a row for each arc, as RFC 4180 has it.
 void write_arc_csv(const std::string& target, const Skeleton_answer& answer);
 
-/// the word for a way, as it stands in files and messages.
-const char* name_of(Removal_way way);
+/// the word for how a handle was removed, as it stands in files and messages: of what was taken out
+/// with its surroundings, whether material went, or closed the hole.
+const char* name_of(const Removed_handle& handle);
 
 constexpr Table_column removal_columns[] = {
     {"pair", 5, true, {}, "The number of the pair of loops; a neck has none"},
@@ -192,7 +193,8 @@ constexpr Table_column removal_columns[] = {
      5,
      false,
      {},
-     "Whether the handle was cut, filled, or taken out whole with its surroundings"},
+     "cut: along the handle loop; fill: along the tunnel loop; both loops with their surroundings "
+     "were replaced by a cap, out: material was removed, plug: material closed the hole"},
     {"length", 12, true, {}, "The length of the loop along which the handle was removed"},
     {"area", 10, true, {}, "The area of the caps, the new faces that close the surface"},
     {"removes", 9, true, {}, "The volume of solid that was removed"},
@@ -211,13 +213,16 @@ constexpr Table_column removal_columns[] = {
      5,
      true,
      {},
-     "The sharpest angle between faces at an edge of a cap, in degrees: 180 is flat"}};
+     "The sharpest angle between faces at an edge of a cap, in degrees: 180 is flat"},
+    {"note", 0, false, {}, "What to look at: a sharp edge at a cap, or a large displacement"}};
 
-/// what stands in the columns; `name` is the number of a pair, or neck.
-std::vector<std::string> cells_of(const Removed_handle& handle, const std::string& name);
+/// what stands in the columns; `name` is the number of a pair, or neck, `diagonal` that of the
+/// mesh.
+std::vector<std::string>
+cells_of(const Removed_handle& handle, const std::string& name, double diagonal);
 
 /// tables of the handles and necks that were removed, and of those that were refused, for a person.
-std::string table_of_removals(const Removal_report& report, bool show_all);
+std::string table_of_removals(const Removal_report& report, double diagonal, bool show_all);
 
 /// lines that sum them up.
 std::string summary(const Removal_report& report, bool is_dry_run = false);

@@ -78,13 +78,13 @@ Clean_options clean_options(const Clean_command_options& options) {
   const std::map<std::string, Clean_step> steps = steps_by_name();
   for(const std::string& name : options.skipped)
     result.steps.reset(static_cast<std::size_t>(steps.at(name)));
-  if(const auto length = relative_length("--channels", options.channels))
-    result.channel_length = *length;
+  result.channel_length = relative_length("--channels", options.channels);
   if(!options.floaters.empty())
     result.floater_share = share_of(options.floaters);
   result.genus = options.genus;
   result.noise_below = relative_length("--noise-below", options.noise_below);
-  result.is_sure = options.is_sure || options.is_dry_run;
+  result.is_sure = options.is_sure;
+  result.is_dry_run = options.is_dry_run;
   result.number_of_threads = options.number_of_threads;
   return result;
 }
@@ -212,9 +212,11 @@ crossing is made. The steps, in order (leave some out with --skip):
   holes     closes boundary curves where a cap fits
   orient    turns over parts that are inside out
   channels  fills channels between an outer and an inner wall if they are short
-            around and the inner wall becomes separate
+            around and the inner wall becomes separate; if the volume would change
+            by more than 5%, only with --channels or --yes
   floaters  drops small parts that touch no other part
-  shells    drops parts that lie inside another part and cannot be seen from outside
+  shells    drops parts that lie inside another part and cannot be seen from outside;
+            if the volume would change by more than 5%, only with --yes
   handles   removes handles, only with --genus or --noise-below
 )";
 
@@ -223,12 +225,13 @@ constexpr char clean_examples[] =
 not closed, or --genus is not reached (it is written all the same), or the mesh cannot be repaired.
 
 Examples:
-  htloops clean model.glb solid.stl               remove inner walls, channels and small parts
+  htloops clean model.glb solid.stl               remove inner walls and small parts
+  htloops clean model.glb solid.stl --channels 3% also fill hollows that channels lead to
   htloops clean scan.stl clean.3mf --noise-below 0.5%
                                                   also remove small handles
   htloops clean part.stl --dry-run --html look.html
                                                   preview the changes
-  htloops clean vase.obj vase.stl --skip shells   keep the hollow inside
+  htloops clean vase.obj vase.stl --yes           also fill closed hollows
 )";
 
 void add_options(CLI::App& clean, Clean_command_options& options) {
@@ -258,7 +261,8 @@ void add_options(CLI::App& clean, Clean_command_options& options) {
   add_length(clean, "--noise-below", options.noise_below,
              "remove handles whose thickness or clear width is less than this")
       ->excludes(genus);
-  add_yes_option(clean, options.is_sure, "--channels or --noise-below");
+  add_yes_option(clean, options.is_sure, "--channels or --noise-below",
+                 "fill hollows that are more than 5% of the volume; ");
   add_threads_option(clean, options);
   clean.option_defaults()->group("What to write");
   add_output(clean, "-o,--output", "OUT", options.result_file, "the same as OUT after the mesh")

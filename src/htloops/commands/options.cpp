@@ -565,11 +565,14 @@ void check_length_of_mesh(const std::string& option, const std::string& text, do
                     "Use --yes to do it anyway");
 }
 
-void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options) {
+void add_yes_option(CLI::App& command,
+                    bool& is_sure,
+                    const std::string& options,
+                    const std::string& more) {
   command.add_flag("--yes", is_sure,
-                   "accept a length of " + options + " that is\n" +
+                   more + "accept a length of " + options + " that is\n" +
                        "more than the diagonal of the bounding box, or of --noise-below above\n"
-                       "5% of it (usually a forgotten %)");
+                       "5% of it (usually a forgotten %) or across a wide gap between sizes");
 }
 
 std::string indented(const std::vector<std::string>& lines) {

@@ -225,7 +225,10 @@ parse_length(const std::string& option, const std::string& text, double whole = 
 /// mesh: often a percentage without its sign. `--yes` of `add_yes_option()` is for those who mean
 /// it.
 void check_length_of_mesh(const std::string& option, const std::string& text, double diagonal);
-void add_yes_option(CLI::App& command, bool& is_sure, const std::string& options);
+void add_yes_option(CLI::App& command,
+                    bool& is_sure,
+                    const std::string& options,
+                    const std::string& more = "");
 
 /// that more handles are left than `--genus` asks for; empty if there are not.
 std::string words_of_missed_genus(const std::optional<std::size_t>& wanted, std::size_t genus);

@@ -97,7 +97,8 @@ pairs_of_noise(const Mesh& mesh, const Answer& answer, const Remove_options& opt
   if(!length)
     return std::nullopt;
   if(!options.is_sure && !options.is_dry_run)
-    check_noise(answer.pairs, answer.measures, options.noise_below, *length, diagonal_of(mesh));
+    check_noise(noise_sizes(answer.pairs, answer.measures), options.noise_below, *length,
+                diagonal_of(mesh));
   Noisy_pairs noisy = noisy_pairs(answer.pairs, answer.measures, *length);
   for(std::size_t i : noisy.undecided)
     std::fprintf(stderr, "htloops: pair %zu is kept: %s\n", i,
@@ -282,10 +283,12 @@ std::string words_of_time(const Remove_options& options,
          counted(static_cast<std::size_t>(number_of_threads), "thread", "threads") + "\n";
 }
 
-std::string
-table_and_summary(const Remove_options& options, const Removal_report& report, bool is_dry_run) {
+std::string table_and_summary(const Remove_options& options,
+                              const Removal_report& report,
+                              double diagonal,
+                              bool is_dry_run) {
   const bool has_refused = !report.refused.empty() || !report.refused_necks.empty();
-  return table_of_removals(report, options.show_all) + summary(report, is_dry_run) +
+  return table_of_removals(report, diagonal, options.show_all) + summary(report, is_dry_run) +
          (has_refused && !options.is_forced
               ? "--force also removes where that is not a repair, or more faces would intersect\n"
               : "");
@@ -304,9 +307,10 @@ void check_all_done(const Remove_options& options,
 }
 
 // Who has not said what is to go sees what there is, and nothing is written.
-[[noreturn]] void ask_for_choice(const Remove_options& options, const Removal_report& report) {
+[[noreturn]] void
+ask_for_choice(const Remove_options& options, const Removal_report& report, double diagonal) {
   if(!options.is_quiet)
-    show_text(table_and_summary(options, report, true), false);
+    show_text(table_and_summary(options, report, diagonal, true), false);
   throw wrong_usage(
       "this is what --all would do, but nothing was written: use --all, or choose handles, "
       "for example with --shorter-than 3% or --pairs 0,2");
@@ -327,7 +331,7 @@ void run(const Remove_options& options) {
       remove_handles(mesh, answer.pairs, wish(mesh, options, noisy), bar);
   const Told_removal told = htloops::told(mesh, answer, removal.report, options);
   if(!has_choice(options) && !options.is_dry_run)
-    ask_for_choice(options, told.report);
+    ask_for_choice(options, told.report, diagonal_of(mesh));
   write_read_mesh(options, mended);
   if(!options.is_dry_run) {
     spread_properties(removal, properties);
@@ -343,7 +347,7 @@ void run(const Remove_options& options) {
                   words_of_bores(options, mesh, answer, removal.report) +
                   words_of_other_holes(options, mesh, answer) +
                   words_of_genus(options, removal.report) +
-                  table_and_summary(options, told.report, options.is_dry_run) +
+                  table_and_summary(options, told.report, diagonal_of(mesh), options.is_dry_run) +
                   words_of_unit(mended.facts.unit) +
                   words_of_time(options, seconds, stopwatch.seconds(), removal.number_of_threads) +
                   (options.is_dry_run ? "this was a dry run: no mesh was written\n" : ""),

@@ -1,11 +1,14 @@
 // What cleaning makes of meshes with something wrong: a closed solid, of what was there, as CGAL
 // sees it. Where nothing is wrong nothing changes.
 
+#include "Mesh_corpus.h"
 #include "Meshes_of_soups.h"
 
 #include "app/clean/soup_cleaning.h"
 #include "app/failure.h"
+#include "app/mend/mesh_reader.h"
 #include "app/read/soup_diagnosis.h"
+#include "app/solve/details.h"
 #include "generators/generators.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -17,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <initializer_list>
 #include <map>
 #include <string>
@@ -158,6 +162,77 @@ TEST(Cleaning, closes_channels_and_drops_the_inner_wall) {
   }
 }
 
+// The ball is so far away that the channels are short, beside the diagonal.
+TEST(Cleaning, fills_large_hollows_only_if_that_is_asked_for) {
+  const Soup soup =
+      generators::joined({recipe("hollow", 60000, 0, 2), sphere(1., {20., 0., 0.}, 1280)});
+  const Cleaned_soup left = cleaned(soup);
+  EXPECT_EQ(left.mesh.number_of_faces(), soup.triangles.size());
+  EXPECT_EQ(record_of(left, Clean_step::CHANNELS).count, 0u);
+  ASSERT_EQ(record_of(left, Clean_step::CHANNELS).left.size(), 1u);
+  const std::string& words = record_of(left, Clean_step::CHANNELS).left.front();
+  EXPECT_NE(words.find("2 channels"), std::string::npos) << words;
+  EXPECT_NE(words.find("use --channels 3% to do it"), std::string::npos) << words;
+  Clean_options dry;
+  dry.is_dry_run = true;
+  EXPECT_EQ(cleaned(soup, dry).after.volume, left.after.volume);
+  Clean_options sure, asked;
+  sure.is_sure = true;
+  asked.channel_length = {0.03, true};
+  for(const Clean_options& options : {sure, asked}) {
+    const Cleaned_soup filled = cleaned(soup, options);
+    expect_solid(soup, filled);
+    EXPECT_EQ(record_of(filled, Clean_step::SHELLS).count, 1u);
+    EXPECT_EQ(filled.after.parts, 2u);
+    EXPECT_GT(filled.after.volume, left.after.volume + 1.);
+  }
+}
+
+TEST(Cleaning, keeps_the_hollow_with_drains_of_a_case) {
+  const auto file = mesh_corpus() / "cases" / "hollow200_drains2mm.stl";
+  if(!std::filesystem::exists(file))
+    GTEST_SKIP() << "there are no meshes in " << mesh_corpus();
+  constexpr double volume = 470452.;
+  htloops::Progress progress;
+  Clean_options options;
+  const auto volume_after = [&] {
+    return htloops::clean(htloops::read_whole_soup(file.string()), options, std::nullopt, progress)
+        .after.volume;
+  };
+  EXPECT_NEAR(volume_after(), volume, 1e-6 * volume);
+  options.channel_length = {0.03, true};
+  EXPECT_GT(volume_after(), 10. * volume);
+}
+
+// A wall amid solid goes; a hollow, and what is in it, if it is small, or if that is asked for.
+TEST(Cleaning, drops_shells_that_bound_a_large_hollow_only_if_that_is_asked_for) {
+  const Soup outer = sphere(1., {0., 0., 0.}, 1280), inner = sphere(0.5, {0.1, 0., 0.}),
+             ball = sphere(0.2, {0.1, 0., 0.}), wall = sphere(0.1, {-0.7, 0., 0.});
+  const Soup soup = generators::joined({outer, generators::reversed(inner), ball, wall});
+  const Cleaned_soup left = cleaned(soup);
+  expect_solid(soup, left);
+  EXPECT_EQ(record_of(left, Clean_step::SHELLS).count, 1u);
+  ASSERT_EQ(record_of(left, Clean_step::SHELLS).left.size(), 1u);
+  const std::string& words = record_of(left, Clean_step::SHELLS).left.front();
+  EXPECT_NE(words.find("2 shells"), std::string::npos) << words;
+  EXPECT_NE(words.find("use --yes"), std::string::npos) << words;
+  EXPECT_EQ(left.after.parts, 3u);
+  Clean_options sure;
+  sure.is_sure = true;
+  EXPECT_EQ(cleaned(soup, sure).after.parts, 1u);
+  const Cleaned_soup small =
+      cleaned(generators::joined({outer, generators::reversed(sphere(0.3, {0.1, 0., 0.}))}));
+  EXPECT_EQ(small.after.parts, 1u);
+  // Of four walls around a hollow two are amid solid.
+  const Soup reversed_walls = generators::reversed(
+      generators::joined({sphere(0.6, {0., 0., 0.}), sphere(0.5, {0., 0., 0.})}));
+  const Cleaned_soup doubled =
+      cleaned(generators::joined({outer, sphere(0.9, {0., 0., 0.}, 1280), reversed_walls}));
+  expect_solid(doubled);
+  EXPECT_EQ(doubled.after.parts, 2u);
+  EXPECT_LT(doubled.after.volume, small.after.volume - 0.3);
+}
+
 TEST(Cleaning, tells_of_channels_that_are_too_wide) {
   const Soup soup = recipe("hollow", 60000, 0, 2);
   Clean_options options;
@@ -262,7 +337,9 @@ TEST(Cleaning, drops_what_is_inside_whatever_its_orientation) {
     const Soup soup = generators::joined({sphere(1., {0., 0., 0.}, 1280),
                                           is_turned ? generators::reversed(inner) : inner,
                                           sphere(0.2, {0.1, 0., 0.})});
-    const Cleaned_soup result = cleaned(soup);
+    Clean_options sure;
+    sure.is_sure = true;
+    const Cleaned_soup result = cleaned(soup, sure);
     expect_solid(soup, result);
     EXPECT_EQ(record_of(result, Clean_step::SHELLS).count, 2u);
     EXPECT_EQ(result.after.parts, 1u);
@@ -391,6 +468,31 @@ TEST(Cleaning, removes_handles_that_it_is_told_of) {
   EXPECT_THROW(cleaned(soup, noise), htloops::Failure); // which is no noise
   noise.is_sure = true;
   EXPECT_EQ(cleaned(soup, noise).after.genus, 0u);
+}
+
+std::string asked_about(const std::vector<double>& sizes, const char* text, double below) {
+  try {
+    htloops::check_noise(sizes, text, below, 100.);
+  } catch(const htloops::Failure& failure) {
+    return failure.what();
+  }
+  return "";
+}
+
+// Far below a length that is too much by itself.
+TEST(Cleaning, asks_before_noise_is_removed_across_a_gap) {
+  const std::vector<double> sizes = {0.1, 2., 0.06, 0.05, 0.11};
+  EXPECT_EQ(asked_about(sizes, "1", 1.), "");
+  EXPECT_EQ(asked_about({0.1, 0.3, 0.9, 2.}, "3", 3.), "");
+  EXPECT_EQ(asked_about({2.}, "3", 3.), "");
+  for(const auto& [text, advice] :
+      {std::pair("3", "--noise-below 0.47 "), {"3%", "--noise-below 0.47% "}})
+  {
+    const std::string words = asked_about(sizes, text, 3.);
+    for(const char* part : {"would remove 5 handles", "of 2, 0.11, 0.1, 0.06, 0.05. ",
+                            "Between 0.11 and 2 ", "only the 4 below", advice, "--yes"})
+      EXPECT_NE(words.find(part), std::string::npos) << part << ": " << words;
+  }
 }
 
 // As of an STL whose corners were rounded.
