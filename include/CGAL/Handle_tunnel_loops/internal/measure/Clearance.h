@@ -32,6 +32,12 @@ struct Free_ball
   double radius;
 };
 
+/// whether two places, and so the way between them, are well within a ball.
+inline bool are_well_within(const Free_ball& ball, const Vector& a, const Vector& b) {
+  constexpr double part = 0.5;
+  return (std::max)(norm(a - ball.place), norm(b - ball.place)) < part * ball.radius;
+}
+
 /// How large a ball fits around a point, and along a segment: distances to the faces, caps
 /// included, but for rounding.
 class Clearance

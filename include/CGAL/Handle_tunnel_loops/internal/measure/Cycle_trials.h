@@ -113,7 +113,9 @@ public:
       const Ball_network::Node& ball = cycle.balls[i];
       if(attempt.is_over())
         return trial;
-      if(places == Places::SPREAD && is_passed(cycle, i, trial.curve))
+      const Vector& next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
+      if(places == Places::SPREAD && !trial.curve.empty() &&
+         are_well_within(trial.curve.back(), ball.place, next))
         continue;
       if(const auto free = places == Places::SPREAD ? clearance_.with_more_room(ball.place, radius)
                                                     : clearance_.with_room(ball.place, radius))
@@ -175,8 +177,11 @@ public:
     return row;
   }
 
-  /// a cycle without most of its balls: those left out, and the way to the next, are well in the
-  /// one before.
+private:
+  static constexpr int most_divisions = 8;
+
+  // A cycle without most of its balls: those left out, and the way to the next, are well in the
+  // one before.
   static Widest_cycle thinned(const Widest_cycle& cycle) {
     constexpr double part = 0.5, most_part = 2.;
     Widest_cycle thin = {cycle.radius, cycle.row, {cycle.balls.front()}};
@@ -188,19 +193,6 @@ public:
         thin.balls.push_back(cycle.balls[i]);
     }
     return thin;
-  }
-
-private:
-  static constexpr int most_divisions = 8;
-
-  // Whether a ball of a cycle, and the way to the next, are well in the last ball of a curve.
-  static bool
-  is_passed(const Widest_cycle& cycle, std::size_t i, const std::vector<Free_ball>& curve) {
-    constexpr double part = 0.5;
-    const Vector& next = cycle.balls[i + 1 < cycle.balls.size() ? i + 1 : 0].place;
-    return !curve.empty() &&
-           (std::max)(norm(cycle.balls[i].place - curve.back().place),
-                      norm(next - curve.back().place)) < part * curve.back().radius;
   }
 
   Cycle_trial of_class(const Widest_cycle& cycle, double radius, Places places) const {

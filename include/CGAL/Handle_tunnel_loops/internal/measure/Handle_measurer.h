@@ -94,8 +94,8 @@ public:
       return {};
     take_pushed_loops();
     take_sections();
-    take_parts_of_ways();
-    take_sections();
+    if(!do_bounds_agree())
+      take_parts_of_ways();
     if(do_bounds_agree())
       return assign();
     for(std::size_t l = 0; l < loops_.size(); ++l)
@@ -326,10 +326,8 @@ private:
     take(std::move(cycles), std::move(found));
   }
 
-  // What parts of the ways that are known make up.
+  // What parts of the ways that are known make up, with caps across their narrow places.
   void take_parts_of_ways() {
-    if(do_bounds_agree())
-      return;
     const Way_network network(execution_, clearance_, trials_, most_.front());
     Edge_names names(network, linked_);
     std::vector<Widest_cycle> cycles = others_than_known(
@@ -346,6 +344,7 @@ private:
         },
         1);
     take(std::move(cycles), std::move(found));
+    take_sections();
   }
 
   // Those of other classes than sums of cycles that are known to be as wide as may be.

@@ -63,7 +63,6 @@ public:
 private:
   // Where a way runs well within a ball that it led up to, that does instead.
   static Ball_network part_along(const Clearance& clearance, const Cycle_trial& way, double most) {
-    constexpr double well_within = 0.5;
     Ball_network part;
     const auto add_node = [&](const Free_ball& ball, Index before) {
       if(before != no_index)
@@ -72,14 +71,11 @@ private:
       return static_cast<Index>(part.nodes.size() - 1);
     };
     Index last = no_index, top = no_index;
-    const auto is_well_within_top = [&](const Vector& p) {
-      return top != no_index &&
-             norm(p - part.nodes[top].place) < well_within * part.nodes[top].radius;
-    };
     for(std::size_t i = 0; i < way.curve.size(); ++i) {
       const Vector &place = way.curve[i].place,
                    &next = way.curve[i + 1 < way.curve.size() ? i + 1 : 0].place;
-      if(is_well_within_top(place) && is_well_within_top(next)) {
+      if(top != no_index &&
+         are_well_within({part.nodes[top].place, part.nodes[top].radius}, place, next)) {
         last = top;
         continue;
       }
