@@ -122,7 +122,7 @@ The running time is that of `handle_tunnel_loops()` plus \f$ O(n + m \log n) \f$
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{a function that is called with the progress of the computation of the
-      loops, from 0 to 1, and returns `false` to stop the computation}
+      loops, from 0 to 1, then with 1 between further steps, and returns `false` to stop}
     \cgalParamType{an instance of `std::function<bool(double)>`}
     \cgalParamDefault{an empty function}
     \cgalParamExtra{After a stop, the graph is unchanged.}
@@ -184,16 +184,19 @@ curve_skeleton(const TriangleMesh& tm,
   request.classes.do_link = true;                                 // which of them are handle loops
   request.make_passes = &impl::make_passes<ConcurrencyTag>;
   impl::Loops_on_arrays loops(surface.coordinates(execution));
-  loops.find(
-      execution, surface.mesh, std::move(request),
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()));
+  const std::function<bool(double)> callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  loops.find(execution, surface.mesh, std::move(request), callback);
   statistics.seconds_of_loops = seconds_since(began);
 
   const auto has_loops = Clock::now();
   std::string taken_alone = impl::join_components_of_solids(execution, surface.mesh, places);
   impl::Found_skeleton found =
       impl::find_skeleton(execution, surface.mesh, frame, places, loops.pairs(), options,
-                          impl::face_numbers(surface, face_index));
+                          impl::face_numbers(surface, face_index), [&callback] {
+                            if(callback && !callback(1.))
+                              throw Interrupted_exception();
+                          });
   statistics.number_of_balls = found.number_of_balls;
   statistics.certificate = std::move(found.certificate);
   statistics.certificate.taken_alone = std::move(taken_alone);

@@ -43,8 +43,8 @@ Finds, for each pair of loops, the round bore that its tunnel loop goes around, 
 bore is round if the faces that can be reached from the loop without crossing a convex edge contain
 a cylinder all around, and end at mouths of which at least one is planar. The diameter is that of
 the circle through the vertices of the wall, so it is exact for any number of sides from six on. For
-a bore with counterbores, it is the diameter of the narrowest part. A bore that is parted by others
-goes on beyond them, if its axis does up to a hundredth of the diameter.
+a bore with counterbores, it is the diameter of the narrowest part. The parts of a
+bore that others part are on the cylinder of the longest, up to a hundredth of the diameter.
 
 The running time is near linear in the size of the mesh and of the walls of the bores. It is linear
 in the length of the loops if no loop looks like that of a bore: most faces that a tight loop around

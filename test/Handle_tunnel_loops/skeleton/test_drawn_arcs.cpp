@@ -91,7 +91,7 @@ std::vector<Place> joints_of_fork(double apart) {
   }
   const Ball_graph graph = tree_of(block, places, before);
   Skeleton_draft draft(graph, std::vector<char>(graph.edges.size(), 1), {0});
-  Arcs_side_by_side(block.wall, draft).join();
+  Arcs_side_by_side(block.wall, 0.1, draft).join();
   return joints_of(draft);
 }
 
@@ -117,8 +117,22 @@ TEST(Arcs_side_by_side, AreNotThoseThatLeaveInTwoDirections) {
   }
   const Ball_graph graph = tree_of(block, places, before);
   Skeleton_draft draft(graph, std::vector<char>(graph.edges.size(), 1), {0});
-  Arcs_side_by_side(block.wall, draft).join();
+  Arcs_side_by_side(block.wall, 0.1, draft).join();
   EXPECT_EQ(joints_of(draft), std::vector<Place>(1, Place{0, 0, 0}));
+}
+
+// So thin that a part of the radius is lost in coordinates.
+TEST(Arcs_side_by_side, DoNotTakeManyStepsInThinSheets) {
+  for(const double half_height : {1e-6, 1e-12, 1e-17}) {
+    SCOPED_TRACE(half_height);
+    const Prism sheet({{{-3, -1}, {12, -1}, {12, 1}, {-3, 1}}}, half_height);
+    const std::vector<Place> places = {
+        {0.3, 0.3, 0}, {-2, 0.3, 0}, {9, 0.3, 0}, {10, 0.3, 0}, {9, 0.6, 0}};
+    const Ball_graph graph = tree_of(sheet, places, {0, 0, 0, 0, 0});
+    Skeleton_draft draft(graph, std::vector<char>(graph.edges.size(), 1), {0});
+    Arcs_side_by_side(sheet.wall, 0.1, draft).join();
+    EXPECT_LT(draft.size(), 1000u);
+  }
 }
 
 // The largest turn at bends from some length on, in radians.

@@ -8,6 +8,7 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/curve_skeleton.h>
 
 #include <gtest/gtest.h>
@@ -16,6 +17,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace test_narrow_solids {
 
@@ -78,6 +82,32 @@ Soup bowl_with_ridge(std::uint32_t sides, double depth_of_ridge) {
   return soup;
 }
 
+// Its triangles have corners of their own, which are so far off, at most.
+Soup cube_of_triangles(double apart, generators::Random& random) {
+  Soup soup;
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(const double side : {0., 1.})
+      for(const bool is_second : {false, true}) {
+        std::vector<std::array<double, 2>> corners = {{0., 0.}, {1., 0.}, {1., 1.}};
+        if(is_second)
+          corners[1] = {0., 1.};
+        if(is_second != (side == 0.))
+          std::swap(corners[0], corners[1]);
+        const auto first = static_cast<std::uint32_t>(soup.points.size());
+        soup.triangles.push_back({first, first + 1, first + 2});
+        for(const auto& [u, v] : corners) {
+          std::array<double, 3> p;
+          p[axis] = side;
+          p[(axis + 1) % 3] = u;
+          p[(axis + 2) % 3] = v;
+          for(double& x : p)
+            x += random.uniform(0., apart);
+          soup.points.push_back(p);
+        }
+      }
+  return soup;
+}
+
 // From the middle of the rim no ball is seen that touches the surface at the rim.
 TEST(Narrow_solids, HaveInletsBehindRidges) {
   generators::Random random(1);
@@ -94,6 +124,42 @@ TEST(Narrow_solids, DoNotTakeManyBallsInManyBlades) {
   for(const std::size_t faces : {1000u, 2000u}) {
     SCOPED_TRACE(faces);
     EXPECT_LT(expect_skeleton(soup_of({"fan", {faces, 0, 1}})), 10000u);
+  }
+}
+
+// Each is a solid of its own, between the triangle and its cap, and cuts others.
+TEST(Narrow_solids, AreUncertifiedTrianglesOfAnUnweldedCube) {
+  for(const double apart : {1e-4, 1e-7, 1e-12}) {
+    SCOPED_TRACE(apart);
+    generators::Random random(1);
+    const Soup cube = cube_of_triangles(apart, random);
+    const Mesh mesh = mesh_of(cube);
+    CGAL::Curve_skeleton<Mesh> graph;
+    const auto statistics = CGAL::curve_skeleton(mesh, graph);
+    EXPECT_EQ(statistics.number_of_components, 12u);
+    EXPECT_FALSE(statistics.certificate);
+    EXPECT_NE(statistics.certificate.failure.find("the cap of the boundary curve"),
+              std::string::npos);
+    EXPECT_LT(num_vertices(graph), statistics.number_of_balls);
+  }
+}
+
+TEST(Narrow_solids, CanBeInterruptedWhenLoopsAreFound) {
+  const Mesh mesh = mesh_of(soup_of({"torus", {800, 1, 0}}));
+  CGAL::Curve_skeleton<Mesh> graph;
+  const auto draw_until = [&](int most) {
+    int times = 0; // that all loops are found
+    CGAL::curve_skeleton(mesh, graph, CGAL::parameters::callback([&](double done) {
+                           return done < 1. || ++times <= most;
+                         }));
+    return times;
+  };
+  const int all = draw_until(1000);
+  EXPECT_GT(all, 3);
+  for(int most = 0; most < all; ++most) {
+    graph.clear();
+    EXPECT_THROW(draw_until(most), CGAL::Handle_tunnel_loops::Interrupted_exception) << most;
+    EXPECT_EQ(num_vertices(graph), 0u);
   }
 }
 

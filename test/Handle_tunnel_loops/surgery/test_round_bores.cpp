@@ -1,5 +1,6 @@
 #include "Bored_parts.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Fitted_circle.h>
 #include <CGAL/Handle_tunnel_loops/round_bores.h>
@@ -95,22 +96,20 @@ TEST_P(Bores_of_parts, ReachFromEndToEnd) {
   for(const char* other : {"counterbores", "oblique", "keyways"})
     if(part.kind.find(other) != std::string::npos)
       return; // they are as long as their narrowest parts, or end askew, or are not round
-  // Of what little is left of a wall between others, the axis is known less well, and it may stay a
-  // part of its own.
+  // Where hardly an edge is between the walls of two, these are not told apart, and the axis is off
+  // by a little.
   const bool is_cut = part.kind.find("meet") != std::string::npos;
   const double tolerance = is_cut ? 1e-3 : 1e-6;
-  std::size_t whole = 0;
-  const std::vector<Bore> bores = bores_of(part.mesh);
-  for(const Bore& bore : bores) {
+  for(const Bore& bore : bores_of(part.mesh)) {
     const double depth = extent_along(part.mesh, bore.axis);
-    EXPECT_LE(bore.length, (1. + tolerance) * depth);
+    EXPECT_NEAR(bore.length, depth, tolerance * depth);
     EXPECT_LE(bore.deviation, 20. * tolerance * bore.diameter);
-    whole += bore.length >= (1. - tolerance) * depth ? 1 : 0;
   }
-  EXPECT_GE(whole, is_cut ? (bores.size() + 1) / 2 : bores.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Generated, Bores_of_parts, testing::Range(0u, 60u));
+INSTANTIATE_TEST_SUITE_P(Generated,
+                         Bores_of_parts,
+                         testing::Range(0u, are_few_cases_tried() ? 60u : 300u));
 
 using Profile = std::vector<std::array<double, 2>>; // radius and height, anticlockwise
 

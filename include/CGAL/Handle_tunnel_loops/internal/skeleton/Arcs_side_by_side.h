@@ -38,8 +38,11 @@ it. So what is between them is inside, and their class stays.
 class Arcs_side_by_side
 {
 public:
-  Arcs_side_by_side(const Wall& wall, Skeleton_draft& draft)
+  /// steps are no shorter than those for \p spacing: there is no end to them where the solid is so
+  /// thin that they are lost in rounding.
+  Arcs_side_by_side(const Wall& wall, double spacing, Skeleton_draft& draft)
       : wall_(wall)
+      , spacing_(spacing)
       , draft_(draft) {}
 
   void join() {
@@ -65,7 +68,7 @@ private:
 
   static constexpr double part_of_radius = 0.6; // how far from the middle, at most
   static constexpr double least_way = 0.7;      // from a joint to the next, in its radius
-  static constexpr double part_of_step = 0.2;   // of the radius
+  static constexpr double part_of_step = 0.2;   // of the radius, or the spacing
 
   const Inner_ball& ball(Index place) const { return draft_[place].ball; }
 
@@ -144,9 +147,9 @@ private:
     std::vector<Inner_ball> line = {start};
     double way = 0.;
     for(std::array<Walker, 2> walkers = ends;;) {
-      const double step = part_of_step * line.back().radius;
+      const double step = part_of_step * (std::max)(line.back().radius, spacing_);
       way += step;
-      if(!(step > 0.) || !(way < most) || !advance(walkers[0], step) || !advance(walkers[1], step))
+      if(!(way < most) || !advance(walkers[0], step) || !advance(walkers[1], step))
         break;
       const std::optional<Inner_ball> between =
           ball_between(walkers[0].point, walkers[1].point, line.back());
@@ -205,6 +208,7 @@ private:
   }
 
   const Wall& wall_;
+  const double spacing_;
   Skeleton_draft& draft_;
 };
 

@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -54,14 +55,16 @@ public:
                    const std::vector<Vector>& places,
                    const std::vector<Flat_pair>& pairs,
                    const Skeleton_options& options,
-                   const Face_number& face_number)
+                   const Face_number& face_number,
+                   const std::function<void()>& look)
       : execution_(execution)
       , mesh_(mesh)
       , frame_(frame)
       , places_(places)
       , pairs_(pairs)
       , options_(options)
-      , face_number_(face_number) {}
+      , face_number_(face_number)
+      , look_(look) {}
 
   Found_skeleton build() {
     if(!build_in(frame_, span_of(mesh_.points))) {
@@ -79,6 +82,7 @@ private:
   bool build_in(const Own_frame& frame, Span<const Vector> points) {
     const Solid_balls solid(execution_, mesh_, points,
                             loops_inside(mesh_, pairs_, &Flat_pair::tunnel));
+    look_();
     const Loops_across across(mesh_, points, pairs_);
     const Taken_ways ways(execution_, solid, across, options_.shortest_limb);
     found_.number_of_balls = ways.graph().balls.size();
@@ -89,16 +93,18 @@ private:
         {Smoothness::straight, Smoothness::in_class, Smoothness::none}) {
       if(smoothness == Smoothness::in_class && !is_inside)
         continue; // on a surface that crosses itself
+      look_();
       Skeleton_draft draft(ways.graph(), ways.is_taken(), ways.roots());
       if(smoothness != Smoothness::none) {
         draft.draw_stars(solid.wall());
-        Arcs_side_by_side(solid.wall(), draft).join();
+        Arcs_side_by_side(solid.wall(), solid.spacing(), draft).join();
       }
       found_.skeleton = draw(draft, smoothness);
       found_.point_of_vertex =
           Parts_of_surface(execution_, solid, ways.graph(), found_.skeleton).points();
       is_inside = is_free(solid.wall(), found_.skeleton);
       take_out_of(execution_, frame, solid, places_, found_.skeleton);
+      look_();
       certify();
       if(found_.certificate || fails_by_caps_alone())
         return true;
@@ -127,6 +133,7 @@ private:
   const std::vector<Flat_pair>& pairs_;
   Skeleton_options options_;
   const Face_number& face_number_;
+  const std::function<void()>& look_;
   Found_skeleton found_;
   bool do_caps_meet_ = false;
 };

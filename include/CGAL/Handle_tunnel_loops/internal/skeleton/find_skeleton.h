@@ -22,6 +22,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
+#include <functional>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
@@ -36,14 +37,15 @@ struct Found_skeleton
 };
 
 /// finds a skeleton. The mesh lies in a frame; \p places are the coordinates of the vertices as the
-/// caller has them, hubs included, \p pairs a basis of loops.
+/// caller has them, hubs included, \p pairs a basis of loops. Between steps, \p look may throw.
 CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
                                            const Flat_mesh& mesh,
                                            const Own_frame& frame,
                                            const std::vector<Vector>& places,
                                            const std::vector<Flat_pair>& pairs,
                                            const Skeleton_options& options,
-                                           const Face_number& face_number);
+                                           const Face_number& face_number,
+                                           const std::function<void()>& look);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -15,6 +15,9 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
 
+#include <functional>
+#include <vector>
+
 namespace CGAL::Handle_tunnel_loops::internal {
 
 CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
@@ -23,8 +26,10 @@ CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
                                            const std::vector<Vector>& places,
                                            const std::vector<Flat_pair>& pairs,
                                            const Skeleton_options& options,
-                                           const Face_number& face_number) {
-  return Skeleton_builder(execution, mesh, frame, places, pairs, options, face_number).build();
+                                           const Face_number& face_number,
+                                           const std::function<void()>& look) {
+  return Skeleton_builder(execution, mesh, frame, places, pairs, options, face_number, look)
+      .build();
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -82,6 +82,19 @@ public:
     graph_builder().add_ways_along_wall(paths_, graph);
   }
 
+  /// the length of pieces. Even faces are pieces, whole; those of needles are not many more. Faces
+  /// without any area are not divided.
+  double spacing() const {
+    constexpr double most_times = 16.;
+    const double pieces = number_by_faces(2000., 50000., 0.3);
+    double length = 0.;
+    for(Index f = 0; f < wall_.size(); ++f)
+      if(!wall_.is_of_cap(f))
+        length += wall_.length_opposite(f, wall_.apex(f));
+    return area_ > 0. ? (std::max)(std::sqrt(area_ / pieces), length / (most_times * pieces))
+                      : std::numeric_limits<double>::infinity();
+  }
+
   /// how far a region of a sample extends at least.
   double least_extent() const { return std::sqrt(area_ / number_by_faces(1800., 60000., 0.45)); }
 
@@ -113,19 +126,6 @@ private:
   // Few faces have little to say.
   double number_by_faces(double least, double most, double by_face) const {
     return (std::max)(least, (std::min)(most, by_face * static_cast<double>(wall_.size())));
-  }
-
-  // Even faces are pieces, whole; those of needles are not many more. Faces without any area are
-  // not divided.
-  double spacing() const {
-    constexpr double most_times = 16.;
-    const double pieces = number_by_faces(2000., 50000., 0.3);
-    double length = 0.;
-    for(Index f = 0; f < wall_.size(); ++f)
-      if(!wall_.is_of_cap(f))
-        length += wall_.length_opposite(f, wall_.apex(f));
-    return area_ > 0. ? (std::max)(std::sqrt(area_ / pieces), length / (most_times * pieces))
-                      : std::numeric_limits<double>::infinity();
   }
 
   // Where the bounded side of the components is.

@@ -38,26 +38,6 @@ struct Cylinder
   double length;    ///< along the axis
   double deviation; ///< the largest distance of a corner of the wall
   Index first_face; ///< the lowest number of a face of the wall
-
-  /// how far another one is off this one, if it was longer, at most.
-  double distance(const Cylinder& other) const {
-    const auto across = [this](const Simple_cartesian<double>::Vector_3& v) {
-      return std::sqrt(CGAL::cross_product(v, axis).squared_length());
-    };
-    return across(other.center - center) + across(other.axis) * other.length / 2. +
-           std::abs(other.diameter - diameter) / 2.;
-  }
-
-  /// adds what goes on along the same axis.
-  void extend(const Cylinder& other) {
-    deviation = (std::max)(deviation, other.deviation + distance(other));
-    const double middle = axis * (other.center - center),
-                 least = (std::min)(-length, 2. * middle - other.length) / 2.,
-                 most = (std::max)(length, 2. * middle + other.length) / 2.;
-    center = center + axis * ((least + most) / 2.);
-    length = most - least;
-    first_face = (std::min)(first_face, other.first_face);
-  }
 };
 
 /// as long as twice the area of a face; none for one that is too narrow to tell.
@@ -113,6 +93,31 @@ public:
                     most - least,
                     circle->deviation(),
                     faces_.front()};
+  }
+
+  /// adds itself to a cylinder if it lies on that, but for a hundredth of the diameter, by which a
+  /// bore may fail to be round, too. Returns whether it does.
+  bool extend(Cylinder& whole) const {
+    double least = -whole.length / 2., most = whole.length / 2., deviation = whole.deviation;
+    for(Index v : corners_of_section()) {
+      const Surgery_mesh::Point& p = mesh_.point(v);
+      const Vector shift(p.x() - whole.center.x(), p.y() - whole.center.y(),
+                         p.z() - whole.center.z());
+      const double height = whole.axis * shift,
+                   radius = std::sqrt((shift - height * whole.axis).squared_length());
+      deviation = (std::max)(deviation, std::abs(radius - whole.diameter / 2.));
+      least = (std::min)(least, height);
+      most = (std::max)(most, height);
+    }
+    if(!(deviation <= 0.01 * whole.diameter))
+      return false;
+    whole = {whole.center + whole.axis * ((least + most) / 2.),
+             whole.axis,
+             whole.diameter,
+             most - least,
+             deviation,
+             (std::min)(whole.first_face, faces_.front())};
+    return true;
   }
 
 private:

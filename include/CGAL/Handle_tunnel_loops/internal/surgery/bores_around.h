@@ -24,7 +24,7 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// for each loop, given by its places: the narrowest cylinder in the wall of the bore that it goes
-/// around, if there is one. Those of one drilling have the same first face.
+/// around, if there is one, as long as its drilling. Those of one drilling are the same.
 CGAL_HTL_CORE std::vector<std::optional<Cylinder>>
 bores_around(Execution execution,
              const Surgery_mesh& mesh,

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_section.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Concave_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Curve_off_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge.h>
@@ -21,32 +22,64 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// in the wall of a bore.
-inline std::optional<Cylinder> narrowest_cylinder(const Surgery_mesh& mesh,
-                                                  const Cut_region& wall) {
-  std::optional<Cylinder> narrowest;
-  for(const Bore_section& section : Wall_sections(mesh, wall.faces())())
-    if(const std::optional<Cylinder> cylinder = section.cylinder();
-       cylinder && (!narrowest || cylinder->diameter < narrowest->diameter))
-      narrowest = cylinder;
-  return narrowest;
+/// What is all around the axis of a bore, and the cylinder through it.
+struct Round_section
+{
+  Bore_section section;
+  Cylinder cylinder;
+};
+
+/// of faces given in ascending order.
+inline void add_round_sections(const Surgery_mesh& mesh,
+                               const std::vector<Index>& faces,
+                               std::vector<Round_section>& round) {
+  for(const Bore_section& section : Wall_sections(mesh, faces)())
+    if(const std::optional<Cylinder> cylinder = section.cylinder())
+      round.push_back({section, *cylinder});
 }
 
-/// with all that goes on along the same axis beyond the bores that it meets, but for a hundredth of
-/// the diameter, by which a bore may fail to be round, too.
-inline Cylinder drilling(const Surgery_mesh& mesh, const Cylinder& part, const Cut_region& wall) {
-  Cylinder all = part;
-  for(const Bore_section& section : Wall_sections(mesh, wall.faces())())
-    if(const std::optional<Cylinder> cylinder = section.cylinder();
-       cylinder && part.distance(*cylinder) <= 0.01 * part.diameter)
-      all.extend(*cylinder);
-  return all;
+/// in the wall of bores that meet. The edges where they do may bend so little that the wall of one
+/// would seem to go on in that of another: its axis would not be known.
+inline std::vector<Round_section> round_sections_between_edges(const Surgery_mesh& mesh,
+                                                               const Concave_pieces& pieces,
+                                                               const Cut_region& wall) {
+  std::map<Index, std::vector<Index>> faces; // by piece
+  for(Index f : wall.faces())
+    faces[pieces.piece(f)].push_back(f);
+  std::vector<Round_section> round;
+  for(const auto& piece : faces)
+    add_round_sections(mesh, piece.second, round);
+  return round;
+}
+
+/// of a part of a bore, by all parts that it meets: they are of one drilling if they lie on the
+/// cylinder through the longest of them, which is known best.
+inline Cylinder drilling(const Round_section& part, std::vector<Round_section> parts) {
+  for(parts.push_back(part);;) {
+    Cylinder whole = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+                       return std::tie(a.cylinder.length, b.cylinder.first_face) <
+                              std::tie(b.cylinder.length, a.cylinder.first_face);
+                     })->cylinder;
+    bool is_found = false;
+    std::vector<Round_section> others;
+    for(const Round_section& other : parts)
+      if(other.section.extend(whole))
+        is_found |= other.cylinder.first_face == part.cylinder.first_face;
+      else
+        others.push_back(other);
+    if(is_found)
+      return whole;
+    parts.swap(others);
+  }
 }
 
 /// beside a loop, or else beside the shortest walk along it.
@@ -73,10 +106,19 @@ bores_around(Execution execution,
           return;
         // Alone, if it can be: the others that it meets have diameters of their own.
         const auto walls = Bore_search(mesh, pieces).walls_at(*curve);
-        if(const auto& wall = walls.alone ? walls.alone : walls.joined)
-          bores[i] = narrowest_cylinder(mesh, *wall);
-        if(bores[i] && walls.joined)
-          bores[i] = drilling(mesh, *bores[i], *walls.joined);
+        if(!walls.alone && !walls.joined)
+          return;
+        std::vector<Round_section> sections;
+        add_round_sections(mesh, (walls.alone ? walls.alone : walls.joined)->faces(), sections);
+        const auto narrowest =
+            std::min_element(sections.begin(), sections.end(), [](const auto& a, const auto& b) {
+              return a.cylinder.diameter < b.cylinder.diameter;
+            });
+        if(narrowest != sections.end())
+          bores[i] =
+              walls.joined
+                  ? drilling(*narrowest, round_sections_between_edges(mesh, pieces, *walls.joined))
+                  : narrowest->cylinder;
       },
       1);
   return bores;
