@@ -88,12 +88,6 @@ vertices. The memory is \f$ O(n) \f$, about one kilobyte per vertex or point.
 \param np an optional sequence of named parameters among those listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{relative_precision}
-    \cgalParamDescription{the largest acceptable error, relative to the diameter, in [0.001, 0.2].
-      The error may be larger if reaching it would take a very large number of points}
-    \cgalParamType{`double`}
-    \cgalParamDefault{0.01}
-  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{a property map associating points to the vertices of `tm`}
     \cgalParamType{a class model of `ReadablePropertyMap`}
@@ -118,7 +112,6 @@ vertices. The memory is \f$ O(n) \f$, about one kilobyte per vertex or point.
 \throws Handle_tunnel_loops::Invalid_mesh_exception if `tm` is not an oriented 2-manifold triangle
   mesh with finite coordinates
 \throws Handle_tunnel_loops::Interrupted_exception if the callback returned `false`
-\throws std::invalid_argument if the relative precision is not in its range
 
 \sa `handle_tunnel_loops()`
 \sa `remove_handles()`
@@ -135,10 +128,6 @@ OutputIterator handle_measures(const TriangleMesh& tm,
   namespace impl = Handle_tunnel_loops::internal;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const double precision =
-      choose_parameter(get_parameter(np, internal_np::relative_precision), 0.01);
-  if(!(precision >= 0.001 && precision <= 0.2))
-    throw std::invalid_argument("the relative precision must be from 0.001 to 0.2");
   impl::Watch_by_callback watch(
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()));
   const impl::Execution execution = impl::execution_of<ConcurrencyTag>().watched_by(watch);
@@ -156,7 +145,7 @@ OutputIterator handle_measures(const TriangleMesh& tm,
             ? "the surface touches or crosses itself, or has a degenerate face"
             : "the surface with its caps touches or crosses itself, or has a degenerate face";
   } else
-    found = impl::measure_handles(execution, surface.mesh, places, polylines, precision);
+    found = impl::measure_handles(execution, surface.mesh, places, polylines);
   using Point = typename std::decay_t<decltype(surface)>::Point;
   for(const auto& pair : found.pairs)
     *out++ = impl::measures_of_caller<Point>(pair, found.why);

@@ -96,18 +96,23 @@ py::dict record_of_balls(const htloops::Measures& measures,
 py::dict measure(const py::array& points,
                  const py::array& triangles,
                  const py::dict& loops,
-                 double precision,
                  int threads,
                  Watch& watch) {
   const Mesh mesh = mesh_of(points, triangles);
   const htloops::Pairs pairs = pairs_of(loops, mesh);
-  const htloops::Measures measures = compute(
-      threads, watch, [&] { return htloops::find_measures(mesh, pairs, precision, watch); });
+  const htloops::Measures measures =
+      compute(threads, watch, [&] { return htloops::find_measures(mesh, pairs, watch); });
   std::vector<std::string> why;
-  for(const htloops::Measure& measure : measures)
-    why.push_back(measure.why);
+  std::vector<double> least_noise, most_noise;
+  for(std::size_t i = 0; i < measures.size(); ++i) {
+    why.push_back(measures[i].why);
+    const auto [least, most] = htloops::noise_of(measures[i], pairs[i]);
+    least_noise.push_back(least);
+    most_noise.push_back(most);
+  }
   return py::dict("thickness"_a = record_of_balls(measures, &htloops::Measure::thickness),
                   "clear_width"_a = record_of_balls(measures, &htloops::Measure::clear_width),
+                  "least_noise"_a = array_of(least_noise), "most_noise"_a = array_of(most_noise),
                   "why"_a = why);
 }
 

@@ -63,7 +63,6 @@ def measure(
     points: np.ndarray,
     triangles: np.ndarray,
     loops: _Record,
-    precision: float,
     threads: int,
     watch: Watch,
 ) -> _Record: ...

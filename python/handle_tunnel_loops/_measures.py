@@ -7,7 +7,7 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import _core
-from ._arguments import real_or_none, threads_of
+from ._arguments import threads_of
 from ._loops import Loops, record_of
 from ._meshes import arrays
 from ._records import Comparable
@@ -31,6 +31,8 @@ class Measures(Comparable):
     def __init__(self, record: Dict[str, Any]):
         self.thickness = Balls(record["thickness"])  #: of balls around a handle, in the material
         self.clear_width = Balls(record["clear_width"])  #: of balls through its hole
+        #: (g, 2): bounds of the smaller of the two measures. One that is missing is at most the length of its loop over pi
+        self.noise_ranges: np.ndarray = np.column_stack([record["least_noise"], record["most_noise"]])
         self.why: List[str] = record["why"]  #: why a measure is missing; empty if none is
 
     def __len__(self) -> int:
@@ -38,8 +40,8 @@ class Measures(Comparable):
 
     @property
     def noise(self) -> np.ndarray:
-        """(g,): the smaller of the two measures that are known."""
-        return np.fmin(self.thickness.diameters, self.clear_width.diameters)
+        """(g,): the smaller of the two measures: the middle of its range."""
+        return self.noise_ranges.mean(axis=1)
 
     def columns(self) -> Dict[str, np.ndarray]:
         """A dictionary of columns, one for each number: ``pandas.DataFrame(M.columns())``."""
@@ -59,28 +61,20 @@ def measure(
     V: Any,
     F: Any = None,
     L: Optional[Loops] = None,
-    precision: float = 0.01,
     threads: Optional[int] = 0,
 ) -> Measures:
     """Measures how thick each handle is, and how wide its hole, given the loops of a mesh.
 
-    ``measure(mesh, L)`` takes one mesh object. `precision` is the largest relative error; the result
-    includes a bound for the error of each measure.
+    ``measure(mesh, L)`` takes one mesh object. The result includes a bound for the error of each measure:
+    1% of it, or more where less is known.
     """
     if isinstance(F, Loops):
         F, L = None, F
-    return measures_of(arrays(V, F), record_of(L), precision_of(precision), threads_of(threads), None)
+    return measures_of(arrays(V, F), record_of(L), threads_of(threads), None)
 
 
-def precision_of(precision: Any) -> float:
-    value = real_or_none("precision", precision)
-    if value is None or not 0.001 <= value <= 0.2:
-        raise ValueError(f"precision cannot be {precision}: it must be from 0.001 to 0.2")
-    return value
-
-
-def measures_of(mesh: Any, loops: Any, precision: float, threads: int, progress: Any) -> Measures:
-    return Measures(computed("measure", progress, _core.measure, *mesh, loops, precision, threads))
+def measures_of(mesh: Any, loops: Any, threads: int, progress: Any) -> Measures:
+    return Measures(computed("measure", progress, _core.measure, *mesh, loops, threads))
 
 
 class Way(Comparable):

@@ -13,7 +13,7 @@ from ._arguments import (
 )
 from ._loops import Loop, Loops, _loops_of, record_of
 from ._loops import loops as loops_of_mesh
-from ._measures import measures_of, precision_of
+from ._measures import measures_of
 from ._meshes import arrays
 from ._progress import part, told
 from ._records import Comparable
@@ -39,7 +39,6 @@ def remove_handles(
     bores: Optional[Tuple[Optional[float], Optional[float]]] = None,
     by: Way = "smallest-change",
     force: bool = False,
-    precision: float = 0.01,
     loops: Optional[Loops] = None,
     threads: Optional[int] = 0,
     progress: Any = None,
@@ -52,9 +51,9 @@ def remove_handles(
     genus : remove the smallest handles until this many remain; 0 selects all
     shorter_than : remove handles with a loop shorter than this length, in the unit of the coordinates, or as a
         percentage of the diagonal of the bounding box: "3%"
-    noise_below : a length like shorter_than: remove handles whose thickness or clear width is less. What
-        cannot be measured is kept. More than 5% of the diagonal, or a length across a wide gap between the
-        sizes, is an error unless force is given
+    noise_below : a length like shorter_than: remove handles whose thickness or clear width is surely less.
+        More than 5% of the diagonal, or a length across a wide gap between the sizes, is an error unless force is
+        given
     pairs : remove the handles of the pairs with these numbers, as in the table of ``loops``, which is required.
         A mapping gives the way of removal for each, or None: {1: "fill", 5: None}
     box : ((x, y, z), (x, y, z)): remove handles with a loop in this box
@@ -66,7 +65,6 @@ def remove_handles(
         counterbore counts; slots have no diameter
     by : "cut" along the handle loop, "fill" the hole along the tunnel loop, or "smallest-change", whichever
         changes the shape less
-    precision : for noise_below: the largest relative error of a measure, 0.001 to 0.2
     force : also remove handles where the result is not a repair, for example where the bounding box would grow
         or more faces would intersect; accept any noise_below
     loops : the loops of this mesh; computed by default
@@ -92,7 +90,8 @@ def remove_handles(
             removed_necks; else -1. Handles that were removed together share their caps: their patch is the
             position of the first of them
         loops : the loops that were used
-        measures : what `measure` returns, if noise_below was given
+        measures, undecided : if noise_below was given, what `measure` returns, and the pairs whose bounds are on
+            either side of the limit: they are kept
     Pass the whole tuple to ``picture`` or ``html`` to show what was done.
     """
     methods = {}
@@ -118,7 +117,7 @@ def remove_handles(
             "which handles are to be removed? Give one of genus, shorter_than, noise_below, pairs, box, necks, "
             "channels and bores; genus=0 removes all"
         )
-    mesh, number, error = arrays(V, F), threads_of(threads), precision_of(precision)
+    mesh, number = arrays(V, F), threads_of(threads)
     with told(progress, "remove") as callback:
         begin = 0.0
         if loops is None:
@@ -130,11 +129,12 @@ def remove_handles(
         used: Dict[str, Any] = {"loops": loops}
         limit = chosen.pop("noise_below")
         if limit is not None:
-            used["measures"] = measures_of(mesh, record, error, number, part(callback, begin, 0.8))
-            noise = used["measures"].noise
+            used["measures"] = measures_of(mesh, record, number, part(callback, begin, 0.8))
+            least, most = used["measures"].noise_ranges.T
             if not force:
-                _check_noise(noise, noise_below, limit, record["diagonal"])
-            chosen["pairs"], begin = np.flatnonzero(noise < limit).tolist(), 0.8
+                _check_noise(most, noise_below, limit, record["diagonal"])
+            chosen["pairs"], begin = np.flatnonzero(most < limit).tolist(), 0.8
+            used["undecided"] = np.flatnonzero((least < limit) & (limit <= most)).tolist()
         rest = part(callback, begin, 1)
         removed = computed("remove", rest, _core.remove_handles, *mesh, record, chosen, number)
         removed[3].update(used)

@@ -113,7 +113,6 @@ foreach(limit IN ITEMS 10% 0.4)
   expect_match("${output}" "genus 7 -> 1, 6 removed")
 endforeach()
 
-run(2 measure torus.off --precision 50%)
 run(2 loops torus.off --measure --basis shortest)
 run(2 loops torus.off --sort noise)
 run(2 remove torus.off -o none.off --noise-below 1000)

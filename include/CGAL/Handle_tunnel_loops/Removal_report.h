@@ -100,6 +100,10 @@ struct Shape_change
   std::size_t crossings = 0;    ///< how many more pairs of faces intersect; 0 unless forced. Of
                                 ///< handles removed together, the first one has them all
 
+  /// Returns whether a cap leaves a sharp edge, such as that of a tooth: a fold by more than 100
+  /// degrees, as parts are full of right angles.
+  bool has_sharp_edge() const { return sharpest_angle < 80.; }
+
   /// Adds another change: volumes, areas and numbers are summed, and the worst of all other values
   /// is kept.
   Shape_change& operator+=(const Shape_change& other) {

@@ -55,7 +55,6 @@ CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(vertex_arc_map_t, vertex_arc_map, vertex_
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(removal_options_t, removal_options, removal_options)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(known_loops_t, known_loops, known_loops)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(do_cut_spheres_t, do_cut_spheres, do_cut_spheres)
-CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(relative_precision_t, relative_precision, relative_precision)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(through_vertices_t, through_vertices, through_vertices)
 CGAL_HANDLE_TUNNEL_LOOPS_ADD_PARAMETER(least_prominence_t, least_prominence, least_prominence)
 

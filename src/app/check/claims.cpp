@@ -192,21 +192,11 @@ private:
     const Mesh& mesh = mended_.mesh;
     answer_.bores = find_bores(mesh, answer_.pairs);
     if(has_measures_)
-      answer_.measures = find_measures(mesh, answer_.pairs, precision(), progress);
+      answer_.measures = find_measures(mesh, answer_.pairs, progress);
     if(has_costs_)
       answer_.costs = find_costs(mesh, answer_.pairs, progress);
     if(given_.contains("throats"))
       answer_.throats = classified_throats(mesh, answer_.pairs, answer_.certificate, throats);
-  }
-
-  double precision() const {
-    const Json* found = given_.contains("options") && given_["options"].is_object() &&
-                                given_["options"].contains("precision")
-                            ? &given_["options"]["precision"]
-                            : nullptr;
-    return found != nullptr && found->is_number() && found->get<double>() > 0.
-               ? found->get<double>()
-               : 0.01;
   }
 
   // Of options, those that what is there shows.

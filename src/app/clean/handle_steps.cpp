@@ -99,10 +99,9 @@ std::vector<std::size_t> pairs_of_noise(const Mesh& mesh,
                                         const Clean_options& options,
                                         Clean_record& record,
                                         Progress& progress) {
-  constexpr double precision = 0.01;
   const auto [value, is_share] = *options.noise_below;
   const double below = is_share ? value * diagonal : value;
-  const Measures measures = find_measures(mesh, pairs, precision, progress);
+  const Measures measures = find_measures(mesh, pairs, progress);
   if(!options.is_sure && !options.is_dry_run)
     check_noise(noise_sizes(pairs, measures),
                 is_share ? formatted("%.6g%%", 100. * value) : formatted("%.6g", value), below,

@@ -34,13 +34,11 @@ Bores find_bores(const Mesh& mesh, const Pairs& pairs) {
   return bores;
 }
 
-Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, Progress& progress) {
+Measures find_measures(const Mesh& mesh, const Pairs& pairs, Progress& progress) {
   Measures measures;
   progress.start("measures");
-  CGAL::handle_measures<All_threads_tag>(
-      mesh, pairs, std::back_inserter(measures),
-      CGAL::parameters::relative_precision(precision,
-                                           CGAL::parameters::callback(progress.callback())));
+  CGAL::handle_measures<All_threads_tag>(mesh, pairs, std::back_inserter(measures),
+                                         CGAL::parameters::callback(progress.callback()));
   progress.end();
   return measures;
 }

@@ -23,8 +23,8 @@ namespace htloops {
 /// by pair, the bore that its tunnel loop goes around, if that is one.
 Bores find_bores(const Mesh& mesh, const Pairs& pairs);
 
-/// thickness and clear width by pair, each up to a part of it as an error.
-Measures find_measures(const Mesh& mesh, const Pairs& pairs, double precision, Progress& progress);
+/// thickness and clear width by pair.
+Measures find_measures(const Mesh& mesh, const Pairs& pairs, Progress& progress);
 
 /// what either way to remove each handle would change, of each by itself.
 Costs find_costs(const Mesh& mesh, const Pairs& pairs, Progress& progress);

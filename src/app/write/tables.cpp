@@ -726,9 +726,8 @@ std::string volume_if_any(double volume) { return volume > 0. ? formatted("%.4g"
 
 // What a person would want to look at.
 std::string words_of_harm(const Shape_change& change, double diagonal) {
-  constexpr double sharp = 80.;       // a fold by 100 degrees; parts are full of right angles
   constexpr double most_moved = 0.05; // of the diagonal: no noise is as large
-  const bool is_sharp = change.sharpest_angle < sharp;
+  const bool is_sharp = change.has_sharp_edge();
   const bool is_moved = change.displacement > most_moved * diagonal;
   return (is_sharp ? formatted("sharp edge of %.0f degrees left", change.sharpest_angle) : "") +
          (is_sharp && is_moved ? ", " : "") +

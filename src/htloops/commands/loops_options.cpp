@@ -144,7 +144,6 @@ void add_computation_options(CLI::App& command, Loops_options& options) {
   command.add_flag("--measure", options.is_to_measure,
                    "measure the thickness of each handle and the clear width of its hole: the\n"
                    "diameters of the largest balls that fit around and through it");
-  add_precision_option(command, options.precision);
   add_costs_option(command, options, "with --measure: ");
   add_choice(command, "--classify", "HOW", options.classifier,
              "how to tell handle loops from tunnel loops: linking (linking numbers, exact;\n"
@@ -239,7 +238,7 @@ Answer solve(const Mesh& mesh, const Loops_options& options, bool show_progress)
   add_details(mesh, options.do_find_waists, answer);
   if(options.has_measures()) {
     const Stopwatch stopwatch;
-    answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
+    answer.measures = find_measures(mesh, answer.pairs, bar);
     answer.total_seconds += stopwatch.seconds();
   }
   if(options.has_costs) {
@@ -278,21 +277,6 @@ void add_order_option(CLI::App& command, std::string& order) {
 
 Pair_order order_of(const std::string& word) { return orders.at(word); }
 
-void add_precision_option(CLI::App& command, std::string& precision) {
-  command
-      .add_option("--precision", precision,
-                  "largest relative error of a measure, 0.1% to 20%; default: 1%; a larger\n"
-                  "error is faster, above all where walls are thin")
-      ->option_text("P%");
-}
-
-double parse_precision(const std::string& text) {
-  const double precision = parse_length("--precision", text).value_or(0.01);
-  if(!(precision >= 0.001 && precision <= 0.2))
-    throw wrong_usage("--precision " + text + ": must be from 0.1% to 20%, such as 1% or 0.01");
-  return precision;
-}
-
 CLI::Option* add_noise_option(CLI::App& command, std::string& length, const std::string& what) {
   return add_length(command, "--noise-below", length,
                     what +
@@ -314,7 +298,6 @@ void add_measure_options(CLI::App& command, Loops_options& options) {
   add_view_options(command, options);
   add_remedy_options(command, options);
   command.option_defaults()->group("How to compute");
-  add_precision_option(command, options.precision);
   add_costs_option(command, options, "");
   add_threads_option(command, options);
   add_jobs_option(command, options);
@@ -326,7 +309,6 @@ void check_loops_options(const Loops_options& options) {
   check_common_options(options);
   if(options.is_literal && options.backend != "reference")
     throw wrong_usage("--literal needs --backend reference");
-  parse_precision(options.precision);
   if(options.has_measures() && options.basis != "pure")
     throw wrong_usage(
         "measures need handle and tunnel loops: they cannot be combined with --basis shortest");
@@ -379,7 +361,6 @@ Json json_of(const Loops_options& options) {
       {"time_budget", options.time_budget ? Json(*options.time_budget) : Json()},
       {"waists", options.do_find_waists},
       {"measure", options.has_measures()},
-      {"precision", parse_precision(options.precision)},
       {"removal", options.has_costs},
       {"throats", options.do_find_throats},
       {"through", options.through},

@@ -63,8 +63,7 @@ struct Loops_options : Common_options
   std::string classifier = "linking";
   int number_of_jobs = 1; ///< meshes at once
   bool is_to_measure = false;
-  std::string precision = "1%"; ///< of measures, relative to each
-  bool has_costs = false;       ///< of removal
+  bool has_costs = false; ///< of removal
   bool show_all = false;
   bool is_verbose = false;
   std::string colour = "auto";
@@ -82,10 +81,6 @@ void add_loops_options(CLI::App& command, Loops_options& options);
 
 /// those of `htloops measure`, which has the most usual of them.
 void add_measure_options(CLI::App& command, Loops_options& options);
-
-/// declares `--precision`, and how it is understood; throws `Failure` if it makes no sense.
-void add_precision_option(CLI::App& command, std::string& precision);
-double parse_precision(const std::string& text);
 
 /// declares `--sort`, and what its words stand for.
 void add_order_option(CLI::App& command, std::string& order);

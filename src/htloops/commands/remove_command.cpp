@@ -85,7 +85,7 @@ Answer answer_of(const Mesh& mesh, const Remove_options& options, Seconds& secon
   add_details(mesh, false, answer);
   seconds.loops = stopwatch.seconds();
   if(!options.noise_below.empty())
-    answer.measures = find_measures(mesh, answer.pairs, parse_precision(options.precision), bar);
+    answer.measures = find_measures(mesh, answer.pairs, bar);
   seconds.measures = stopwatch.seconds() - seconds.loops;
   return answer;
 }

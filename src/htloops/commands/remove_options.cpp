@@ -133,7 +133,6 @@ void add_computation_options(CLI::App& command, Remove_options& options) {
                    "remove handles even if that is not a repair: if the bounding\n"
                    "box would grow, a cap would be far larger than its hole, more\n"
                    "faces would intersect, ...");
-  add_precision_option(command, options.precision);
   add_yes_option(command, options.is_sure, "--shorter-than, --necks, --channels or --noise-below");
   command
       .add_option("--loops", options.loops_file,
@@ -184,7 +183,6 @@ void check_remove_options(const Remove_options& options) {
   parse_length("--necks", options.necks);
   parse_length("--channels", options.channels);
   parse_length("--noise-below", options.noise_below);
-  parse_precision(options.precision);
   box_of(options.box);
   check_pairs(options.pairs);
   if(!options.bores.empty()) {

@@ -35,7 +35,6 @@ struct Remove_options : Common_options
   std::string necks;
   std::string channels;
   std::string noise_below;
-  std::string precision = "1%";
   std::string bores; ///< "MIN:MAX", either of them may be missing
   std::string method = "smallest-change";
   std::string map_file;

@@ -117,7 +117,6 @@ export interface LoopsOptions extends Computing, Remedies {
   searchEffort?: number;
   timeBudget?: number;
   measure?: boolean;
-  precision?: string;
   removal?: boolean;
 }
 

@@ -505,8 +505,8 @@ void expect_shortest_walks(const Recipe& recipe, bool is_pure, std::size_t finer
 }
 
 TEST(Class_search, FindsShortestWalksThatCrossNoWall) {
-  for(const Recipe& recipe : embedded)
-    expect_shortest_walks(recipe, true, 0);
+  for(std::size_t i = 0; i < embedded.size(); i += are_few_cases_tried() ? 2 : 1)
+    expect_shortest_walks(embedded[i], true, 0);
 }
 
 TEST(Class_search, FindsShortestWalksWithoutWalls) {

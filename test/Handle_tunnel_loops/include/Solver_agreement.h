@@ -3,6 +3,7 @@
 
 #include "Loop_definitions.h"
 #include "Meshes_of_soups.h"
+#include "Number_of_cases.h"
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -141,7 +142,9 @@ template <typename ConcurrencyTag> void expect_progress_and_cancellation(const M
   ASSERT_GT(reported.size(), 10u);
   EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
   EXPECT_EQ(reported.back(), 1.);
-  for(const double end : reported) {
+  const std::size_t step = are_few_cases_tried() ? 4 : 1;
+  for(std::size_t i = 0; i < reported.size(); i += step) {
+    const double end = reported[i];
     SCOPED_TRACE(testing::Message() << "stopped at " << end);
     bool is_stopped = false;
     Pairs pairs;

@@ -43,10 +43,9 @@ Pairs pairs_of(const Mesh& mesh) {
 }
 
 template <typename Tag = CGAL::Sequential_tag>
-Measures measures_of(const Mesh& mesh, const Pairs& pairs, double precision = 0.01) {
+Measures measures_of(const Mesh& mesh, const Pairs& pairs) {
   Measures measures;
-  CGAL::handle_measures<Tag>(mesh, pairs, std::back_inserter(measures),
-                             CGAL::parameters::relative_precision(precision));
+  CGAL::handle_measures<Tag>(mesh, pairs, std::back_inserter(measures));
   return measures;
 }
 
@@ -208,17 +207,6 @@ TEST(Handle_measures, AreThoseOfASquareFrame) {
   }
 }
 
-TEST(Handle_measures, AreFinerWhereThatIsAskedFor) {
-  const Mesh mesh = mesh_of(frame(10., 4., 3.));
-  const Pairs pairs = pairs_of(mesh);
-  for(const double precision : {0.1, 0.01, 0.002}) {
-    const Measures measures = measures_of(mesh, pairs, precision);
-    ASSERT_TRUE(measures[0].thickness);
-    EXPECT_LE(measures[0].thickness->error, precision * measures[0].thickness->diameter);
-    EXPECT_NEAR(measures[0].thickness->diameter, 3., measures[0].thickness->error + 1e-9);
-  }
-}
-
 TEST(Handle_measures, AreOfTheSizeOfTheMesh) {
   const Soup soup = frame(10., 4., 3.);
   const Measures unit = measures_of(mesh_of(soup));
@@ -296,13 +284,6 @@ TEST(Handle_measures, AreStoppedByTheCallback) {
                                          [](double) { return false; }))),
                CGAL::Handle_tunnel_loops::Interrupted_exception);
   EXPECT_TRUE(measures.empty());
-}
-
-TEST(Handle_measures, RefuseAPrecisionOutOfRange) {
-  const Mesh mesh = mesh_of(Recipe{"torus", {400, 1, 0}});
-  const Pairs pairs = pairs_of(mesh);
-  for(const double precision : {0., 1e-4, 0.5, std::nan("")})
-    EXPECT_THROW(measures_of(mesh, pairs, precision), std::invalid_argument);
 }
 
 } // namespace test_handle_measures

@@ -1,5 +1,6 @@
 #include "Meshes_of_soups.h"
 #include "Number_of_cases.h"
+#include "generators/Shape.h"
 #include "generators/generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -33,6 +34,23 @@ const generators::Kind& kind(const std::string& name) {
     if(name == k.name)
       return k;
   throw std::logic_error("no kind " + name);
+}
+
+// One shape stands for all, unless all cases are tried: the same function makes them.
+std::vector<generators::Kind> kinds_to_try() {
+  std::vector<generators::Kind> kinds = generators::kinds();
+  const auto shapes = generators::kinds_of_shapes();
+  if(are_few_cases_tried())
+    kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
+                               [&](const generators::Kind& k) {
+                                 return std::any_of(
+                                     shapes.begin() + 1, shapes.end(),
+                                     [&](const generators::Kind& s) {
+                                       return std::strcmp(s.name, k.name) == 0;
+                                     });
+                               }),
+                kinds.end());
+  return kinds;
 }
 
 using Directed_edges = std::map<std::pair<Index, Index>, Index>; // to the third vertex
@@ -330,8 +348,8 @@ TEST(Necks, HaveLoopsAsShortAndAsLongAsTheySay) {
 
 TEST(Necks, JoinTwoBodies) {
   for(const char* name : {"twins", "hollow"})
-    for(const std::size_t genus : {0, 1, 3})
-      for(const std::size_t necks : {1, 2, 40}) {
+    for(const std::size_t genus : {0, 3})
+      for(const std::size_t necks : {1, 40}) {
         Request request = {60000, genus, static_cast<unsigned>(necks)};
         request.necks = necks;
         SCOPED_TRACE(testing::PrintToString(Case{name, request}));
@@ -378,7 +396,7 @@ TEST(Generators, RefuseWhatTheyCannotMake) {
   EXPECT_THROW(kind("bars").make({1000, 2, 0, 0}), std::invalid_argument);
   EXPECT_THROW(kind("torus-link").make({100000, 1, 0, 1, 2, 4}), std::invalid_argument);
   EXPECT_THROW(kind("ladder").make({100000, 1, 0, 1, 0, 1}), std::invalid_argument);
-  for(const generators::Kind& k : generators::kinds()) {
+  for(const generators::Kind& k : kinds_to_try()) {
     const std::size_t genus = k.default_genus;
     EXPECT_THROW(k.make({2, genus, 0}), std::invalid_argument) << k.name;
     EXPECT_THROW(k.make({2000000000, genus, 0}), std::invalid_argument) << k.name;
@@ -437,7 +455,7 @@ TEST(Holes, AreAllMadeOrRefused) {
 }
 
 TEST(Generators, RepeatThemselves) {
-  for(const generators::Kind& k : generators::kinds()) {
+  for(const generators::Kind& k : kinds_to_try()) {
     const std::size_t faces = are_few_cases_tried() ? 15000 : 60000;
     const Request request = {(std::max)(k.default_faces, faces), k.default_genus, 7};
     const Soup first = k.make(request), second = k.make(request);
@@ -447,7 +465,7 @@ TEST(Generators, RepeatThemselves) {
 }
 
 TEST(Generators, HaveDefaultsThatCanBeMade) {
-  for(const generators::Kind& k : generators::kinds()) {
+  for(const generators::Kind& k : kinds_to_try()) {
     Request request;
     request.faces = k.default_faces;
     request.genus = k.default_genus;

@@ -67,8 +67,6 @@ Mended_mesh mended_mesh_of(const Recipe& recipe) { return mended_mesh_of(soup_of
   return generators::with_holes(soup_of(Recipe{"multi-torus", {600, genus, 0}}), {3, 8, false});
 }
 
-constexpr double precision = 0.2; // of measures
-
 using Complete = std::function<void(const Mesh&, Answer&)>;
 
 Case case_of_loops(
@@ -86,7 +84,6 @@ Case case_of_loops(
                      {"measure", !answer.measures.empty()},
                      {"removal", !answer.costs.empty()},
                      {"throats", answer.throats.are_wanted},
-                     {"precision", precision},
                      {"seed", nullptr}};
   made.document = loops_document(mesh, answer, {"a.off", told, 0.125, made.mended.cuts});
   return made;
@@ -223,7 +220,7 @@ TEST(Claims, are_compared_value_by_value_for_bores_costs_and_measures) {
   const Case measured =
       case_of_loops(mended_mesh_of(washer()), [](const Mesh& mesh, Answer& answer) {
         Progress progress;
-        answer.measures = find_measures(mesh, answer.pairs, precision, progress);
+        answer.measures = find_measures(mesh, answer.pairs, progress);
         answer.costs = find_costs(mesh, answer.pairs, progress);
       });
   expect_no_change_passes(measured, {"thickness", "clear_width", "cut", "fill"});

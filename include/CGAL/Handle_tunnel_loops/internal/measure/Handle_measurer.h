@@ -67,20 +67,17 @@ public:
   Handle_measurer(Execution execution,
                   const Flat_mesh& mesh,
                   const std::vector<Vector>& places,
-                  const std::vector<Polyline_pair>& pairs,
-                  double precision)
+                  const std::vector<Polyline_pair>& pairs)
       : execution_(execution)
-      , gap_((std::min)(largest_gap, gap_of_precision * precision))
-      , side_(std::sqrt(4.5 * gap_))
       , faces_(execution, mesh, span_of(places))
-      , clearance_(faces_, gap_ / 12.)
+      , clearance_(faces_, gap / 12.)
       , wall_(mesh, span_of(places), faces_)
       , points_(execution, faces_)
       , loops_(loops_of(pairs))
-      , caps_(execution, faces_, clearance_, span_of(places), loops_, gap_ / 8.)
+      , caps_(execution, faces_, clearance_, span_of(places), loops_, gap / 8.)
       , most_(caps_.most())
       , linked_(execution, loops_)
-      , tries_(clearance_, linked_, gap_) {
+      , tries_(clearance_, linked_, gap) {
     for(const Vector& p : places)
       points_.add(p);
     for(const auto& loop : loops_)
@@ -120,7 +117,9 @@ public:
   }
 
 private:
-  static constexpr double gap_of_precision = 1.5, largest_gap = 0.3;
+  // Between the bounds of a diameter, so that its middle is known to 1% with half of it and more to
+  // spare for what is rounded.
+  static constexpr double gap = 0.015;
   static constexpr int blind_rounds = 2; // to see the surface takes as long as several rounds
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
   static constexpr std::size_t most_at_first = 20000;
@@ -211,9 +210,9 @@ private:
   void refine() {
     constexpr double wide_reach = 6., largest_side = 0.8, much = 4.;
     for(std::size_t i = 0; i < cycles_.size(); ++i)
-      if(!trials_[i].is_leak_known || trials_[i].radius >= (1. - much * gap_) * most_[i])
+      if(!trials_[i].is_leak_known || trials_[i].radius >= (1. - much * gap) * most_[i])
         for(const Narrow_place& n : trials_[i].narrow)
-          if(refine_at(n, most_[i], side_ * most_[i])) // no such ball is to slip through beside it
+          if(refine_at(n, most_[i], least_side * most_[i])) // no such ball is to slip through beside it
             requests_.push_back(
                 {n.place, wide_reach * reach() * n.distance, largest_side * most_[i]});
     for(const auto& [narrow, radius, side] : leaks_)
@@ -294,7 +293,7 @@ private:
         [&](std::size_t i) {
           found[i] = tries_.trial(cycles[i], most_[i]);
           const double most = (std::min)(most_[i], caps_.of_cycle(cycles[i].row));
-          if(found[i].is_wide && found[i].radius < (1. - gap_) * most)
+          if(found[i].is_wide && found[i].radius < (1. - gap) * most)
             found[i] = tries_.widened(std::move(found[i]), cycles[i].row, most);
         },
         1);
@@ -361,7 +360,7 @@ private:
 
   // Caps across the narrow places of cycles that might be wider by what is known.
   void take_sections() {
-    caps_.add_sections(1. - gap_, cycles_, trials_);
+    caps_.add_sections(1. - gap, cycles_, trials_);
     most_.resize(caps_.most().size(), std::numeric_limits<double>::infinity());
     for(std::size_t i = 0; i < most_.size(); ++i)
       most_[i] = (std::min)(most_[i], caps_.most()[i]);
@@ -393,7 +392,7 @@ private:
   // Whether cycles are as wide as they may be, which may be other radii than were tried.
   void judge() {
     for(std::size_t i = 0; i < (std::min)(cycles_.size(), most_.size()); ++i)
-      if(Cycle_trial& trial = trials_[i]; trial.is_wide && trial.radius >= (1. - gap_) * most_[i])
+      if(Cycle_trial& trial = trials_[i]; trial.is_wide && trial.radius >= (1. - gap) * most_[i])
         trial.narrow.clear();
       else if(trial.narrow.empty())
         trial.narrow.push_back({cycles_[i].balls.front().place, cycles_[i].balls.front().radius});
@@ -418,9 +417,9 @@ private:
       const double known = trials_[i].is_wide ? trials_[i].radius
                            : i < seen.size()  ? seen[i].radius
                                               : 0.5 * most_[i];
-      const double radius = (1. + 0.5 * gap_) * known;
+      const double radius = (1. + 0.5 * gap) * known;
       trials_[i].is_leak_known = i > 0 && trials_[i - 1].is_leak_known;
-      if(radius > (1. - gap_) * last)
+      if(radius > (1. - gap) * last)
         continue;
       last = radius;
       const std::size_t before = leaks_.size();
@@ -437,7 +436,7 @@ private:
   double side_against(double radius, double room) const {
     constexpr double part = 2., most = 0.5;
     const double side = std::sqrt((std::max)(0., part * (room - radius) * (room + radius)));
-    return (std::max)(side_ * radius, (std::min)(most * radius, side));
+    return (std::max)(least_side * radius, (std::min)(most * radius, side));
   }
 
   Linking_rank classes_wider(double radius, const std::vector<Class>& seen) const {
@@ -573,8 +572,6 @@ private:
   }
 
   Execution execution_;
-  double gap_;  // that the bounds may have, as a part of the upper one
-  double side_; // of pieces of faces, as a part of the radius
   Face_tree faces_;
   Clearance clearance_;
   Wall wall_;

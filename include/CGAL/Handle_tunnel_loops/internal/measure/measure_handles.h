@@ -49,12 +49,11 @@ struct Flat_measures
 using Polyline_pair = std::array<std::vector<Vector>, 2>;
 
 /// measures the handles of a surface: \p places are those of its vertices, hubs included, \p pairs
-/// a basis of loops, \p precision is the largest relative error.
+/// a basis of loops.
 CGAL_HTL_CORE Flat_measures measure_handles(Execution execution,
                                             const Flat_mesh& mesh,
                                             const std::vector<Vector>& places,
-                                            const std::vector<Polyline_pair>& pairs,
-                                            double precision);
+                                            const std::vector<Polyline_pair>& pairs);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -61,14 +61,13 @@ private:
 CGAL_HTL_CORE Flat_measures measure_handles(Execution execution,
                                             const Flat_mesh& mesh,
                                             const std::vector<Vector>& places,
-                                            const std::vector<Polyline_pair>& pairs,
-                                            double precision) {
+                                            const std::vector<Polyline_pair>& pairs) {
   const Power_of_scale scale(places);
   std::vector<Polyline_pair> scaled;
   for(const Polyline_pair& pair : pairs)
     scaled.push_back({scale.into(pair[0]), scale.into(pair[1])});
   const std::vector<Vector> points = scale.into(places);
-  Flat_measures measures = Handle_measurer(execution, mesh, points, scaled, precision).measure();
+  Flat_measures measures = Handle_measurer(execution, mesh, points, scaled).measure();
   for(Flat_measures::Pair& pair : measures.pairs) {
     scale.out_of(pair.inside);
     scale.out_of(pair.outside);

@@ -138,19 +138,16 @@ public:
     return trials;
   }
 
-  /// after caps were looked for: of strips along both loops, takes that which changes the volume
-  /// less.
+  /// after caps were looked for: of strips along both loops, takes the better one.
   void take_better_one() {
     if(!rival_)
       return;
-    // As the first loop has the rounder disc, it needs no more than be about as good.
-    constexpr double about = 1.1;
     if(!rival_->has_caps()) {
       note_failure(*rival_);
       obstacles_[choices_[next_ + 1].loop].take(rival_->obstacle());
       note_reach();
       choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(next_) + 1);
-    } else if(!surgery_->has_caps() || about * volume(*rival_) < volume(*surgery_)) {
+    } else if(!surgery_->has_caps() || is_better(*rival_, *surgery_)) {
       note_failure(*surgery_);
       std::swap(choices_[next_], choices_[next_ + 1]);
       std::swap(surgery_, rival_);
@@ -259,6 +256,18 @@ private:
     for(const auto* tried : {&surgery_, &rival_})
       if(*tried)
         task_->reach.extend((*tried)->reach());
+  }
+
+  // That which changes the volume less; one that leaves a sharp edge, only if it does by far: at four
+  // times in each direction, handles of objects would be filled because of an edge. As the
+  // present loop has the rounder disc, it needs no more than be about as good.
+  static bool is_better(const Handle_surgery& rival, const Handle_surgery& present) {
+    constexpr double about = 1.1, by_far = 8.;
+    const bool is_sharp = rival.change().has_sharp_edge();
+    const double factor = is_sharp == present.change().has_sharp_edge() ? about
+                          : is_sharp                                    ? by_far
+                                                                        : 1. / by_far;
+    return factor * volume(rival) < volume(present);
   }
 
   static double volume(const Handle_surgery& surgery) {
