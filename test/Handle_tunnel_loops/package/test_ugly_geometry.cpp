@@ -84,7 +84,8 @@ TEST(Ugly_geometry, ChangesNoDefinition) {
   const std::vector<Recipe> all = recipes(), connected = recipes_of_all_kinds({1, 4}, 1);
   Worst time, silence;
   const std::size_t first = number_from_environment("HTL_FIRST_CASE", 0),
-                    end = first + number_from_environment("HTL_CASES", are_few_cases_tried() ? 50 : 150);
+                    end = first +
+                          number_from_environment("HTL_CASES", are_few_cases_tried() ? 50 : 150);
   for(std::size_t i = first; i < end; ++i) {
     Random random(i);
     const bool has_boundary = i % 3 == 2;

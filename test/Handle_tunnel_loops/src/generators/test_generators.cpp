@@ -43,11 +43,10 @@ std::vector<generators::Kind> kinds_to_try() {
   if(are_few_cases_tried())
     kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
                                [&](const generators::Kind& k) {
-                                 return std::any_of(
-                                     shapes.begin() + 1, shapes.end(),
-                                     [&](const generators::Kind& s) {
-                                       return std::strcmp(s.name, k.name) == 0;
-                                     });
+                                 return std::any_of(shapes.begin() + 1, shapes.end(),
+                                                    [&](const generators::Kind& s) {
+                                                      return std::strcmp(s.name, k.name) == 0;
+                                                    });
                                }),
                 kinds.end());
   return kinds;

@@ -212,7 +212,8 @@ private:
     for(std::size_t i = 0; i < cycles_.size(); ++i)
       if(!trials_[i].is_leak_known || trials_[i].radius >= (1. - much * gap) * most_[i])
         for(const Narrow_place& n : trials_[i].narrow)
-          if(refine_at(n, most_[i], least_side * most_[i])) // no such ball is to slip through beside it
+          if(refine_at(n, most_[i],
+                       least_side * most_[i])) // no such ball is to slip through beside it
             requests_.push_back(
                 {n.place, wide_reach * reach() * n.distance, largest_side * most_[i]});
     for(const auto& [narrow, radius, side] : leaks_)

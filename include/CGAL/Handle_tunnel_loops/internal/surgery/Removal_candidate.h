@@ -258,8 +258,8 @@ private:
         task_->reach.extend((*tried)->reach());
   }
 
-  // That which changes the volume less; one that leaves a sharp edge, only if it does by far: at four
-  // times in each direction, handles of objects would be filled because of an edge. As the
+  // That which changes the volume less; one that leaves a sharp edge, only if it does by far: at
+  // four times in each direction, handles of objects would be filled because of an edge. As the
   // present loop has the rounder disc, it needs no more than be about as good.
   static bool is_better(const Handle_surgery& rival, const Handle_surgery& present) {
     constexpr double about = 1.1, by_far = 8.;
