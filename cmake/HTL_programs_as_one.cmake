@@ -1,6 +1,6 @@
 # htl_programs_as_one(<file> <source>...): writes a program that is any of the given ones, each in a namespace with
 # its name, after all that they include; so what they share is compiled once. Its first argument names the one.
-function(programs_as_one file)
+function(htl_programs_as_one file)
   set(headers)
   set(programs)
   set(names)
