@@ -107,6 +107,9 @@ foreach(i RANGE 5)
 endforeach()
 run(0 remove scan.off -o ball.off --all)
 expect_match("${output}" "angle  note\n.* (cut|fill) [^\n]* sharp edge of [1-7][0-9] degrees left")
+run(0 generate torus --faces 2000 -o torus.off)
+run(0 remove torus.off -o ball.off --all --by fill)
+expect_match("${output}" "angle  note\n.* fill [^\n]* moves the surface by [0-9]+% of the diagonal")
 
 # By the diameters of bores: a nut whose bore is 2 wide.
 set(nut "OFF\n24 48 0\n")

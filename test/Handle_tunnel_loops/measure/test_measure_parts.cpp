@@ -246,6 +246,38 @@ struct Wire
   static constexpr double pi = 3.14159265358979323846;
 };
 
+// Whether balls fit all along a segment is what distances at many points of it say; where they do
+// not, a point is named where they do not.
+TEST(Clearance, IsThatAllAlongASegment) {
+  const Wire wire;
+  Random random(5);
+  std::size_t free = 0, narrow = 0;
+  for(int i = 0; i < 2000; ++i) {
+    const auto place = [&] {
+      return Wire::radius * impl::Vector{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5),
+                                         random.uniform(-0.1, 0.1)};
+    };
+    const impl::Vector a = place(), b = place();
+    const impl::Free_ball first{a, wire.clearance.at(a, 1.)}, last{b, wire.clearance.at(b, 1.)};
+    const double radius = random.uniform(0.01, 1.) * (std::min)(first.radius, last.radius);
+    double least = 1.;
+    constexpr int n = 500;
+    for(int k = 0; k <= n; ++k)
+      least =
+          (std::min)(least, wire.clearance.at((1. - double(k) / n) * a + (double(k) / n) * b, 1.));
+    if(const auto where = wire.clearance.narrow_between(first, last, radius)) {
+      EXPECT_LT(wire.clearance.at(*where, 1.), radius);
+      EXPECT_LT(least, radius + impl::norm(b - a) / n);
+      ++narrow;
+    } else {
+      EXPECT_GE(least, (1. - wire.clearance.tolerance()) * radius);
+      ++free;
+    }
+  }
+  EXPECT_GT(free, 300u);
+  EXPECT_GT(narrow, 300u);
+}
+
 // The room in a cone over a loop, looked at in many places, is no more than that, and nearly as
 // much.
 TEST(Room_in_caps, BoundsTheRoomInCones) {

@@ -94,6 +94,43 @@ INSTANTIATE_TEST_SUITE_P(Generated,
                                                                {"gyroid", {3000, 4, 0}},
                                                                {"foam", {2600, 3, 1}}}));
 
+// A way that leaves a sharp edge is taken only if the other one leaves one, too, or changes many
+// times the volume.
+TEST(Removal_costs, TellWhyASharpEdgeIsLeft) {
+  const auto volume = [](const htl::Removed_handle& way) {
+    return way.change.volume_removed + way.change.volume_added;
+  };
+  std::size_t of_both_ways = 0, sharp_ones = 0;
+  for(unsigned seed = 0; seed < 4; ++seed)
+    for(const char* kind : {"lattice", "foam", "gyroid"}) {
+      const Mesh mesh = mesh_of(Recipe{kind, {4000, 5, seed}});
+      const Pairs pairs = find_loops(mesh);
+      const std::vector<Costs> costs = costs_of(mesh, pairs);
+      for(std::size_t i = 0; i < pairs.size(); ++i) {
+        if(!costs[i].cut || !costs[i].fill)
+          continue;
+        const auto report = report_on(mesh, pairs, i, htl::Removal_method::SMALLEST_CHANGE);
+        for(const htl::Removed_handle& removed : report.removed)
+          for(const bool is_cut : {true, false})
+            if(const htl::Removed_handle& way = is_cut ? *costs[i].cut : *costs[i].fill,
+               &other = is_cut ? *costs[i].fill : *costs[i].cut;
+               removed.pair == i && removed.by == way.by && removed.volume == way.volume)
+            {
+              ++of_both_ways;
+              if(way.change.has_sharp_edge() && !other.change.has_sharp_edge()) {
+                EXPECT_GE(volume(other), 7.99 * volume(way));
+                ++sharp_ones;
+              } else if(way.change.has_sharp_edge() == other.change.has_sharp_edge()) {
+                EXPECT_LE(volume(way), 1.11 * volume(other));
+              } else
+                EXPECT_LE(volume(way), 8.01 * volume(other));
+            }
+      }
+    }
+  RecordProperty("sharp_ones", static_cast<int>(sharp_ones));
+  EXPECT_GT(of_both_ways, 20u);
+}
+
 TEST(Removal_costs, AreTheSameInAnyNumberOfThreadsAndOfSomePairs) {
   const Mesh mesh = mesh_of(Recipe{"plates", {600, 4, 1}});
   const Pairs pairs = find_loops(mesh);

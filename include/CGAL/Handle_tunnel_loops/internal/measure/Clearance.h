@@ -172,6 +172,8 @@ public:
       return std::nullopt;
     const Vector middle = 0.5 * (a.place + b.place);
     const double half = 0.5 * norm(b.place - a.place);
+    if(half > radius && is_free_of_faces(a.place, b.place, radius))
+      return std::nullopt;
     const Free_ball ball = {middle, at(middle, half < tight * radius
                                                    ? (std::min)(radius + half, tight * radius)
                                                    : radius + half)};
@@ -187,6 +189,55 @@ private:
   bool is_free_between(const Free_ball& a, const Free_ball& b, double radius) const {
     return norm(b.place - a.place) <= std::abs(b.radius - a.radius) ||
            least_between(a, b) >= (1. - tolerance_) * radius;
+  }
+
+  // The same by the faces around, if these are few, as beside a long way within a thin wall.
+  bool is_free_of_faces(const Vector& a, const Vector& b, double radius) const {
+    constexpr std::size_t many = 32; // more are quicker told by pieces of the way
+    std::array<Index, many> faces;
+    std::size_t size = 0;
+    bool are_many = false;
+    const double reach = 0.5 * norm(b - a) + radius;
+    faces_.boxes().for_each_nearer(0.5 * (a + b), reach * reach, [&](Index f) {
+      are_many = size == many;
+      if(!are_many)
+        faces[size++] = f;
+      return are_many ? -1. : reach * reach;
+    });
+    const double least = (1. - tolerance_) * radius;
+    return !are_many && std::all_of(faces.begin(), faces.begin() + size, [&](Index f) {
+      return is_away(faces_.triangle(f), a, b - a, least * least);
+    });
+  }
+
+  // Whether a segment is so far from a triangle, as a square: along it, the squared distance is
+  // convex, and so nowhere below its tangents.
+  static bool is_away(const Triangle& t, const Vector& from, const Vector& way, double square) {
+    constexpr int most_tangents = 16;
+    struct Tangent
+    {
+      double at, value, slope;
+    };
+    const auto tangent = [&](double at) {
+      const Vector p = from + at * way, off = p - nearest_point(p, t[0], t[1], t[2]);
+      return Tangent{at, dot(off, off), 2. * dot(off, way)};
+    };
+    Tangent low = tangent(0.), high = tangent(1.);
+    if((std::min)(low.value, high.value) < square)
+      return false;
+    for(int i = 0; i < most_tangents; ++i) {
+      if(low.slope >= 0. || high.slope <= 0.)
+        return true;
+      const double at = (low.value - high.value - low.slope * low.at + high.slope * high.at) /
+                        (high.slope - low.slope);
+      if(low.value + low.slope * (at - low.at) >= square)
+        return true;
+      const Tangent middle = tangent((std::min)((std::max)(at, low.at), high.at));
+      if(middle.value < square)
+        return false;
+      (middle.slope < 0. ? low : high) = middle;
+    }
+    return false;
   }
 
   template <typename Flatten>

@@ -120,8 +120,8 @@ private:
   // Between the bounds of a diameter, so that its middle is known to 1% with half of it and more to
   // spare for what is rounded.
   static constexpr double gap = 0.015;
-  // Of pieces of faces, as a part of the radius of a ball: by a third of the gap, it comes nearer to
-  // the middle of such a side than to its ends.
+  // Of pieces of faces, as a part of the radius of a ball: that comes nearer to the middle of such
+  // a side than to its ends by half the gap.
   static constexpr double least_side = 0.26;
   static constexpr int blind_rounds = 2; // to see the surface takes as long as several rounds
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;

@@ -94,22 +94,70 @@ private:
     return Free_walk{std::move(row), std::move(trial)};
   }
 
-  // Balls at places about a radius apart, but for those from where no room is found; none if these
-  // are many.
+  // Balls at places about a radius apart, or as far as is free between, but for those from where no
+  // room is found; none if these are many.
   Widest_cycle beside(const std::vector<Vector>& loop, double radius, bool is_left) const {
-    constexpr std::size_t many = 32;
-    Widest_cycle cycle = {0., {}, {}};
-    std::size_t failures = 0;
-    for(std::size_t i = 0; i < loop.size(); ++i) {
+    constexpr double apart = 0.5;
+    Balls_beside beside = {radius, {}, 0};
+    double since = apart * radius;
+    for(std::size_t i = 0; i < loop.size() && !beside.is_vain(); ++i) {
       const Vector &a = loop[i], &b = loop[i + 1 < loop.size() ? i + 1 : 0];
       const int n = 1 + static_cast<int>(norm(b - a) / radius);
-      for(int k = 0; k < n; ++k)
-        if(const auto ball = ball_at(point_between(a, b, (k + 0.5) / n), radius, is_left))
-          cycle.balls.push_back({ball->place, ball->radius});
-        else if(++failures > many + cycle.balls.size())
-          return {0., {}, {}};
+      if(since += norm(b - a); n == 1 && since < apart * radius)
+        continue;
+      since = 0.;
+      const auto ball = [&](int k) {
+        return ball_at(point_between(a, b, (k + 0.5) / n), radius, is_left);
+      };
+      const auto first = ball(0);
+      add(first, beside);
+      if(n > 1) {
+        const auto last = ball(n - 1);
+        add_between(ball, {0, first}, {n - 1, last}, beside);
+        add(last, beside);
+      }
     }
+    Widest_cycle cycle = {0., {}, {}};
+    if(!beside.is_vain())
+      cycle.balls = std::move(beside.balls);
     return cycle;
+  }
+
+  struct Balls_beside
+  {
+    double radius;
+    std::vector<Ball_network::Node> balls;
+    std::size_t failures;
+
+    bool is_vain() const {
+      constexpr std::size_t many = 32;
+      return failures > many + balls.size();
+    }
+  };
+
+  static void add(const std::optional<Free_ball>& ball, Balls_beside& beside) {
+    if(ball)
+      beside.balls.push_back({ball->place, ball->radius});
+    else
+      ++beside.failures;
+  }
+
+  // Of the places on an edge of a loop, with their numbers.
+  using Numbered_ball = std::pair<int, std::optional<Free_ball>>;
+
+  template <typename Function>
+  void add_between(const Function& ball,
+                   const Numbered_ball& a,
+                   const Numbered_ball& b,
+                   Balls_beside& beside) const {
+    if(b.first - a.first < 2 || beside.is_vain() ||
+       (a.second && b.second && !clearance_.narrow_between(*a.second, *b.second, beside.radius)))
+      return;
+    const int middle = (a.first + b.first) / 2;
+    const Numbered_ball between = {middle, ball(middle)};
+    add_between(ball, a, between, beside);
+    add(between.second, beside);
+    add_between(ball, between, b, beside);
   }
 
   // Beside a face, with more room around it, if that can be, so that walks may turn around corners.

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Ball_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Cycle_trials.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -71,9 +72,9 @@ private:
       return static_cast<Index>(part.nodes.size() - 1);
     };
     Index last = no_index, top = no_index;
-    for(std::size_t i = 0; i < way.curve.size(); ++i) {
-      const Vector &place = way.curve[i].place,
-                   &next = way.curve[i + 1 < way.curve.size() ? i + 1 : 0].place;
+    const std::vector<Vector> places = places_along(way);
+    for(std::size_t i = 0; i < places.size(); ++i) {
+      const Vector &place = places[i], &next = places[i + 1 < places.size() ? i + 1 : 0];
       if(top != no_index &&
          are_well_within({part.nodes[top].place, part.nodes[top].radius}, place, next)) {
         last = top;
@@ -86,6 +87,19 @@ private:
     }
     part.edges.push_back({{last, 0}, 0.f, 0.f});
     return part;
+  }
+
+  // No farther apart than balls overlap.
+  static std::vector<Vector> places_along(const Cycle_trial& way) {
+    std::vector<Vector> places;
+    for(std::size_t i = 0; i < way.curve.size(); ++i) {
+      const Vector &a = way.curve[i].place,
+                   &b = way.curve[i + 1 < way.curve.size() ? i + 1 : 0].place;
+      const int n = 1 + static_cast<int>(norm(b - a) / way.radius);
+      for(int k = 0; k < n; ++k)
+        places.push_back(point_between(a, b, double(k) / n));
+    }
+    return places;
   }
 
   void join(Index a, Index b) {
