@@ -209,7 +209,7 @@ protected:
 TEST_F(Explained_scenes, LoopsWithAllThatIsKnownOfThem) {
   htloops::Answer answer;
   answer.pairs = find_loops(mesh_);
-  answer.measures = htloops::find_measures(mesh_, answer.pairs, 0.1, told_);
+  answer.measures = htloops::find_measures(mesh_, answer.pairs, told_);
   answer.costs = htloops::find_costs(mesh_, answer.pairs, told_);
   const Scene scene =
       htloops::scene_of_loops({}, "a.off", mesh_, answer, htloops::list_pairs(mesh_, answer), "");
