@@ -378,8 +378,8 @@ TEST(Right_classes, AreFoundFromVeryLongLoops) {
 // What stays of the first loops keeps its name, so that its relations need not be found again.
 TEST(Right_classes, NameTheLoopsThatStay) {
   Random random(6);
-  const Wound_up_surface surface(Recipe{"bars", {1600, 40, 0}});
-  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 200);
+  const Wound_up_surface surface(Recipe{"bars", {4000, 100, 0}});
+  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 500);
   const std::vector<Crossing_loop> first = Purification::loops_of(wound_up);
   bool is_any_known = false;
   const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations* known) {

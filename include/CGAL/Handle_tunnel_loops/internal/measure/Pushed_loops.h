@@ -94,8 +94,9 @@ private:
     return Free_walk{std::move(row), std::move(trial)};
   }
 
-  // Balls at places about a radius apart, or as far as is free between, but for those from where no
-  // room is found; none if these are many.
+  // Balls at places about a radius apart, or as far as is free between, and then closer at the ends
+  // of edges, where ways turn; but for those from where no room is found, and none if these are
+  // many.
   Widest_cycle beside(const std::vector<Vector>& loop, double radius, bool is_left) const {
     constexpr double apart = 0.5;
     Balls_beside beside = {radius, {}, 0};
@@ -109,12 +110,13 @@ private:
       const auto ball = [&](int k) {
         return ball_at(point_between(a, b, (k + 0.5) / n), radius, is_left);
       };
-      const auto first = ball(0);
-      add(first, beside);
-      if(n > 1) {
-        const auto last = ball(n - 1);
-        add_between(ball, {0, first}, {n - 1, last}, beside);
-        add(last, beside);
+      std::optional<Numbered_ball> last;
+      for(const int k : graded_numbers(n)) {
+        const Numbered_ball next = {k, ball(k)};
+        if(last)
+          add_between(ball, *last, next, beside);
+        add(next.second, beside);
+        last = next;
       }
     }
     Widest_cycle cycle = {0., {}, {}};
@@ -144,6 +146,17 @@ private:
 
   // Of the places on an edge of a loop, with their numbers.
   using Numbered_ball = std::pair<int, std::optional<Free_ball>>;
+
+  // Of 0 .. n - 1, those at distances that double from either end.
+  static std::vector<int> graded_numbers(int n) {
+    std::vector<int> numbers;
+    for(int k = 0; 2 * k < n; k = 2 * k + 1)
+      numbers.push_back(k);
+    for(std::size_t i = numbers.size(); i-- > 0;)
+      if(const int k = n - 1 - numbers[i]; k > numbers.back())
+        numbers.push_back(k);
+    return numbers;
+  }
 
   template <typename Function>
   void add_between(const Function& ball,
