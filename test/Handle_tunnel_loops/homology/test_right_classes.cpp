@@ -2,6 +2,7 @@
 // whatever basis they are made from.
 
 #include "Loops_of_classes.h"
+#include "Number_of_cases.h"
 #include "Pure_bases.h"
 #include "Quiet_progress.h"
 #include "Same_loops.h"
@@ -400,8 +401,9 @@ TEST(Right_classes, NameTheLoopsThatStay) {
 // If the loops found then are not pure, the first pairs take their places again.
 TEST(Right_classes, AreTakenBackIfTheyAreNotPureInTheEnd) {
   Random random(6);
-  const Wound_up_surface surface(Recipe{"bars", {1600, 40, 0}});
-  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 200);
+  const std::size_t genus = are_few_cases_tried() ? 40 : 100;
+  const Wound_up_surface surface(Recipe{"bars", {40 * genus, genus, 0}});
+  const std::vector<Flat_pair> wound_up = surface.wound_up_pairs(random, 5 * genus);
   int calls = 0;
   const Relate_pairs relate = [&](const std::vector<Flat_pair>& p, const Known_relations*) {
     Loop_relations relations = surface.relate(p);

@@ -26,7 +26,6 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
