@@ -59,7 +59,8 @@ cycles among the points (`Widest_cycles`) are at least as wide as those of the s
 as long as no cycle slips between points through a loop. Few points lead to most that are not beside
 loops. Where the bounds still differ, cycles slip through the surface between points that are too
 far apart: more are taken all along where they do (`Leaking_edges`). So it goes on until the bounds
-agree.
+agree. Only the widest cycles are looked for, up to the last that is in doubt: balls so small that
+they slip through the surface whatever points are taken are left to the caps.
 */
 class Handle_measurer
 {
@@ -91,22 +92,22 @@ public:
       return {};
     take_pushed_loops();
     take_sections();
-    if(!do_bounds_agree())
+    if(!are_all_known())
       take_parts_of_ways();
-    if(do_bounds_agree())
+    if(are_all_known())
       return assign();
-    for(std::size_t l = 0; l < loops_.size(); ++l)
-      refine_along(l);
-    points_.refine(execution_, std::exchange(requests_, {}));
+    refine_along_loops();
     Voronoi_graph graph(box_.low, box_.high);
+    number_ = loops_.size();
     take_cycles_among_points(graph, 0);
-    if(do_bounds_agree())
+    number_ = number_in_doubt();
+    if(number_ == 0)
       return assign();
     std::size_t inserted = points_.points().size(), work = inserted; // points of all rounds
     const double number = double(most_at_first + places_);
     points_.refine_by_thickness(execution_, wall_, part_of_thickness,
                                 (std::max)(std::sqrt(area_ / number), 0.1 * sides_ / number));
-    points_.set_most(points_.points().size() + points_per_vertex * places_ + more_points);
+    points_.set_most(points_.points().size() + most_points());
     do {
       const std::size_t before = std::exchange(inserted, points_.points().size());
       take_cycles_among_points(graph, before);
@@ -123,7 +124,7 @@ private:
   // Of pieces of faces, as a part of the radius of a ball: that comes nearer to the middle of such
   // a side than to its ends by half the gap.
   static constexpr double least_side = 0.26;
-  static constexpr int blind_rounds = 2; // to see the surface takes as long as several rounds
+  static constexpr int blind_rounds = 1; // a few points first, to see between
   static constexpr double part_of_thickness = 0.45, least_growth = 0.1;
   static constexpr std::size_t most_at_first = 20000;
   static constexpr std::size_t work_per_vertex = 5, more_work = 400000;
@@ -157,13 +158,23 @@ private:
 
   // ---- points
 
-  // Points near a loop, which is close to what is narrow.
-  void refine_along(std::size_t loop) {
-    const double radius = lengths_[loop] / 12., side = 0.5 * radius;
-    for_each_place(loop, side, [&](const Vector& p) {
-      requests_.push_back({p, 1.2 * radius, side});
-      points_.add(p);
-    });
+  // Points on loops, and near those through which cycles in doubt are led: what is narrow is close
+  // to these.
+  void refine_along_loops() {
+    std::vector<char> is_in_doubt(loops_.size(), cycles_.size() < most_.size() ? 1 : 0);
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
+      if(!is_known(i))
+        for(const auto& [loop, number] : cycles_[i].row)
+          is_in_doubt[loop] = 1;
+    for(std::size_t l = 0; l < loops_.size(); ++l) {
+      const double radius = lengths_[l] / 12., side = 0.5 * radius;
+      for_each_place(l, side, [&](const Vector& p) {
+        if(is_in_doubt[l] != 0)
+          requests_.push_back({p, 1.2 * radius, side});
+        points_.add(p);
+      });
+    }
+    points_.refine(execution_, std::exchange(requests_, {}));
   }
 
   // Places on a loop that are not farther apart.
@@ -190,9 +201,35 @@ private:
     do {
       refine();
       effort_ += points_.points().size() < (1. + least_growth) * double(before) ? 1 : 0;
-    } while(points_.points().size() == before && is_any_narrow() && effort_ < most_effort);
-    if(!cycles_.empty())
-      close_loops(graph, most_.back());
+    } while(points_.points().size() == before && number_in_doubt() > 0 && effort_ < most_effort);
+    close_loops(graph, most_[number_ - 1]);
+  }
+
+  std::size_t most_points() const { return points_per_vertex * places_ + more_points; }
+
+  // Of the widest cycles: all are among them that are in doubt, and of which points can tell.
+  std::size_t number_in_doubt() const {
+    const double least = least_radius();
+    const auto is_left = [&](std::size_t i) {
+      return is_known(i) || (most_[i] < least && most_[i] >= caps_.most()[i]);
+    };
+    std::size_t number = most_.size();
+    while(number > 0 && is_left(number - 1))
+      --number;
+    return number;
+  }
+
+  // Smaller balls slip through, where a few points do not tell otherwise already, whatever more are
+  // taken: two to a square with sides of sqrt(3) times that, on a part of the surface, as not all
+  // of it is narrow. (With a quarter of the part, a mesh whose tiny ways points do not settle takes
+  // twice as long; with four times as much, ways are given up that they would settle.)
+  double least_radius() const {
+    constexpr double part = 0.1;
+    return std::sqrt(2. / 3. * part * area_ / double(most_points()));
+  }
+
+  bool is_known(std::size_t cycle) const {
+    return cycle < cycles_.size() && trials_[cycle].narrow.empty();
   }
 
   bool are_all_wide() const {
@@ -201,18 +238,17 @@ private:
                        [](const Cycle_trial& trial) { return trial.is_wide; });
   }
 
-  bool do_bounds_agree() const { return are_all_wide() && !is_any_narrow(); }
-
-  bool is_any_narrow() const {
-    return std::any_of(trials_.begin(), trials_.end(),
-                       [](const Cycle_trial& trial) { return !trial.narrow.empty(); });
+  bool are_all_known() const {
+    return cycles_.size() == most_.size() &&
+           std::all_of(trials_.begin(), trials_.end(),
+                       [](const Cycle_trial& trial) { return trial.narrow.empty(); });
   }
 
   // Where a ball nearly passes, and where points are passed. Denser, and farther around, the less
   // came of it in the rounds before.
   void refine() {
     constexpr double wide_reach = 6., largest_side = 0.8, much = 4.;
-    for(std::size_t i = 0; i < cycles_.size(); ++i)
+    for(std::size_t i = 0; i < size_in_doubt(); ++i)
       if(!trials_[i].is_leak_known || trials_[i].radius >= (1. - much * gap) * most_[i])
         for(const Narrow_place& n : trials_[i].narrow)
           if(refine_at(n, most_[i],
@@ -263,20 +299,18 @@ private:
   void find_cycles(Voronoi_graph& graph) {
     Edge_names names(graph, linked_);
     auto cycles = widest_cycles(graph, names, &Ball_network::Edge::radius);
-    most_.clear();
     for(std::size_t i = 0; i < cycles.size(); ++i)
-      most_.push_back((std::min)(cycles[i].radius, caps_.most()[i]));
+      most_[i] = (std::min)(caps_.most()[i], cycles[i].radius);
     leaks_.clear();
     judge();
-    if(cycles_.size() < most_.size() || is_any_narrow()) {
+    if(number_in_doubt() > 0) {
       take(std::move(cycles));
       take_sections();
     }
-    if(!is_any_narrow() || rounds_++ < blind_rounds)
+    if(number_in_doubt() == 0 || rounds_++ < blind_rounds)
       return;
-    see_surface(graph, least_doubtful());
+    see_surface(graph, least_doubtful(), most_doubtful());
     auto others = widest_cycles(graph, names, &Ball_network::Edge::seen);
-    others.resize((std::min)(others.size(), most_.size()));
     std::vector<Class> seen;
     for(const Widest_cycle& cycle : others)
       seen.push_back({cycle.radius, cycle.row});
@@ -287,8 +321,11 @@ private:
 
   std::vector<Widest_cycle>
   widest_cycles(const Ball_network& graph, Edge_names& names, Widest_cycles::Width width) const {
-    return Widest_cycles(execution_, graph, names, width).find(loops_.size());
+    return Widest_cycles(execution_, graph, names, width).find(number_);
   }
+
+  // How many cycles there are among those that may be in doubt.
+  std::size_t size_in_doubt() const { return (std::min)(number_, cycles_.size()); }
 
   void take(std::vector<Widest_cycle> cycles) {
     std::vector<Cycle_trial> found(cycles.size());
@@ -365,7 +402,6 @@ private:
   // Caps across the narrow places of cycles that might be wider by what is known.
   void take_sections() {
     caps_.add_sections(1. - gap, cycles_, trials_);
-    most_.resize(caps_.most().size(), std::numeric_limits<double>::infinity());
     for(std::size_t i = 0; i < most_.size(); ++i)
       most_[i] = (std::min)(most_[i], caps_.most()[i]);
     judge();
@@ -415,7 +451,7 @@ private:
   find_leaks(const Voronoi_graph& graph, const Edge_names& names, const std::vector<Class>& seen) {
     const Leaking_edges leaking(graph, names, loops_.size());
     double last = std::numeric_limits<double>::infinity();
-    for(std::size_t i = 0; i < cycles_.size(); ++i) {
+    for(std::size_t i = 0; i < size_in_doubt(); ++i) {
       if(trials_[i].narrow.empty())
         continue;
       const double known = trials_[i].is_wide ? trials_[i].radius
@@ -459,44 +495,55 @@ private:
   double least_doubtful() const {
     constexpr double part_of_known = 0.95, part_of_most = 0.5;
     double least = std::numeric_limits<double>::infinity();
-    for(std::size_t i = 0; i < trials_.size(); ++i)
+    for(std::size_t i = 0; i < size_in_doubt(); ++i)
       if(const Cycle_trial& trial = trials_[i]; !trial.narrow.empty())
         least = (std::min)(least, (std::max)(trial.is_wide ? part_of_known * trial.radius : 0.,
                                              part_of_most * most_[i]));
     return least;
   }
 
+  // No radius of which not enough is known is larger.
+  double most_doubtful() const {
+    std::size_t i = 0;
+    while(is_known(i))
+      ++i;
+    return most_[i];
+  }
+
   static constexpr double about = 0.997; // to choose by, clearances are known so well
 
   // Makes edges as narrow as the surface is seen from their ends, and leaves out those that cross
-  // it. Those that are narrower than \p least stay as they are.
-  void see_surface(Voronoi_graph& graph, double least) const {
+  // it. Those that are narrower than \p least stay as they are, and no more than \p most is looked
+  // for around an end.
+  void see_surface(Voronoi_graph& graph, double least, double most) const {
     std::vector<double> clearance(graph.nodes.size(), 0.);
     for_each_index(
         execution_, graph.nodes.size(),
         [&](std::size_t i) {
           if(const Ball_network::Node& n = graph.nodes[i]; n.radius >= least)
-            clearance[i] = clearance_.at(n.place, n.radius, about);
+            clearance[i] = clearance_.at(n.place, (std::min)(n.radius, most), about);
         },
         256);
     for_each_index(
         execution_, graph.edges.size(),
         [&](std::size_t i) {
           if(Ball_network::Edge& e = graph.edges[i]; e.radius >= least)
-            e.seen = e.radius * static_cast<float>(seen_part(graph, e, clearance));
+            e.seen = e.radius * static_cast<float>(seen_part(graph, e, clearance, most));
         },
         256);
   }
 
   double seen_part(const Ball_network& graph,
                    const Ball_network::Edge& edge,
-                   const std::vector<double>& clearance) const {
+                   const std::vector<double>& clearance,
+                   double most) const {
     const auto [a, b] = edge.nodes;
     const Ball_network::Node &n = graph.nodes[a], &m = graph.nodes[b];
     if(norm(n.place - m.place) >= about * (clearance[a] + clearance[b]) &&
        wall_.meets(n.place, m.place))
       return 0.;
-    return (std::min)(clearance[a] / n.radius, clearance[b] / m.radius);
+    return (std::min)(clearance[a] / (std::min)(n.radius, most),
+                      clearance[b] / (std::min)(m.radius, most));
   }
 
   // ---- answers
@@ -587,10 +634,10 @@ private:
   std::vector<double> most_; // by cycle, its radius at most
   Linked_segments linked_;
   Cycle_trials tries_;
-  std::size_t places_;
-  int rounds_ = 0;                // after which bounds did not agree
-  int effort_ = 0;                // rounds in which little was added
-  double area_ = 0., sides_ = 0.; // of all faces
+  std::size_t places_, number_ = 0; // of vertices, and of the cycles that are looked for
+  int rounds_ = 0;                  // after which bounds did not agree
+  int effort_ = 0;                  // rounds in which little was added
+  double area_ = 0., sides_ = 0.;   // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
   std::vector<Cycle_trial> trials_; // by cycle

@@ -74,7 +74,7 @@ public:
       const std::size_t end = (std::min)(begin + size, order_.size());
       take_portion(begin, end, number);
       begin = end;
-      size *= 2;
+      size += size / 2;
     }
     return std::move(cycles_);
   }
