@@ -158,14 +158,14 @@ private:
 
   // ---- points
 
-  // Points on loops, and near those through which cycles in doubt are led: what is narrow is close
-  // to these.
+  // Points on loops, and near those through which cycles in doubt are led, and beside which they
+  // are, their partners: what is narrow is close to these.
   void refine_along_loops() {
     std::vector<char> is_in_doubt(loops_.size(), cycles_.size() < most_.size() ? 1 : 0);
     for(std::size_t i = 0; i < cycles_.size(); ++i)
       if(!is_known(i))
         for(const auto& [loop, number] : cycles_[i].row)
-          is_in_doubt[loop] = 1;
+          is_in_doubt[loop] = is_in_doubt[loop ^ 1] = 1;
     for(std::size_t l = 0; l < loops_.size(); ++l) {
       const double radius = lengths_[l] / 12., side = 0.5 * radius;
       for_each_place(l, side, [&](const Vector& p) {
