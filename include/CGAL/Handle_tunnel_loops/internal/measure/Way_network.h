@@ -24,6 +24,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -119,8 +120,14 @@ private:
       places.emplace_back(Delaunay::Point(node.place[0], node.place[1], node.place[2]),
                           static_cast<Index>(places.size()));
     const Delaunay delaunay(places.begin(), places.end());
+    // They come in an order, and with a first end, by where cells are in memory.
+    std::vector<std::pair<Index, Index>> pairs;
     for(const auto& edge : delaunay.finite_edges())
-      join(edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info());
+      pairs.push_back(std::minmax(
+          {edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info()}));
+    std::sort(pairs.begin(), pairs.end());
+    for(const auto& [a, b] : pairs)
+      join(a, b);
   }
 };
 
