@@ -14,6 +14,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Pushed_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Room_in_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Voronoi_graph.h>
+#include <CGAL/Handle_tunnel_loops/internal/measure/Way_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -21,10 +22,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -344,6 +347,43 @@ TEST(Pushed_loops, FindTheWayInAThinWire) {
     }
   }
   EXPECT_EQ(inside, 1u);
+}
+
+// Memory with holes of many sizes, in which what is allocated next lies in no order.
+std::vector<std::unique_ptr<char[]>> memory_with_holes(Random& random) {
+  std::vector<std::unique_ptr<char[]>> pieces, kept;
+  for(int i = 0; i < 2000; ++i)
+    pieces.push_back(std::make_unique<char[]>(1 + random.below(20000)));
+  for(auto& piece : pieces)
+    if(random.below(2) == 0)
+      kept.push_back(std::move(piece));
+  return kept;
+}
+
+TEST(Way_network, IsTheSameWhereverItIsInMemory) {
+  const Wire wire;
+  Random random(9);
+  impl::Cycle_trial way;
+  way.is_wide = true;
+  way.radius = Wire::radius;
+  for(int i = 0; i < 300; ++i)
+    way.curve.push_back(
+        {{random.uniform(-9., 9.) * Wire::radius, random.uniform(-9., 9.) * Wire::radius,
+          random.uniform(2., 9.) * Wire::radius},
+         Wire::radius});
+  const auto edges = [&] {
+    std::vector<std::array<Index, 2>> nodes;
+    for(const auto& edge :
+        impl::Way_network(impl::Execution(), wire.clearance, {way}, 9. * Wire::radius).edges)
+      nodes.push_back(edge.nodes);
+    return nodes;
+  };
+  const auto first = edges();
+  EXPECT_GT(first.size(), 300u);
+  for(int i = 0; i < 20; ++i) {
+    const auto memory = memory_with_holes(random);
+    EXPECT_EQ(edges(), first);
+  }
 }
 
 // Through the ring, the plane across it, and one that cuts it in two.
