@@ -19,7 +19,17 @@ namespace htloops {
 namespace {
 
 /// How the values of a key are compared. In numbers, powers of lengths round differently.
-enum class Rule { RATIO, LENGTH, AREA, VOLUME, IF_KNOWN, SOME_MEMBERS, ELSEWHERE, NOT_COMPARED };
+enum class Rule {
+  RATIO,
+  LENGTH,
+  AREA,
+  VOLUME,
+  IF_KNOWN,
+  SOME_MEMBERS,
+  ELSEWHERE,
+  IS_THERE, // which it is, is not compared
+  NOT_COMPARED
+};
 
 struct Key
 {
@@ -124,7 +134,7 @@ constexpr Key keys[] = {
     {"tunnels_bound_outside", Rule::IF_KNOWN},
     {"tunnels_bound_outside_alone", Rule::IF_KNOWN},
     {"types", Rule::RATIO},
-    {"undecided_because", Rule::RATIO},
+    {"undecided_because", Rule::IS_THERE, one_of_many},
     {"unit", Rule::IF_KNOWN},
     {"vertex_point", Rule::NOT_COMPARED, one_of_many},
     {"vertices", Rule::RATIO},
@@ -165,6 +175,8 @@ public:
         leave_out(key->reason, name);
       else if(key->rule == Rule::ELSEWHERE)
         continue;
+      else if(is.contains(name) && key->rule == Rule::IS_THERE)
+        leave_out(key->reason, name);
       else if(is.contains(name))
         compare(place, *key, value, is[name]);
       else if(key->rule == Rule::IF_KNOWN)

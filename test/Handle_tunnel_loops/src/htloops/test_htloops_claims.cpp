@@ -268,6 +268,18 @@ TEST(Claims, are_known_by_all_keys_of_the_schemas) {
   }
 }
 
+// A surface that touches itself does so in many places: any of them is a reason, but none is not.
+TEST(Claims, of_why_a_loop_is_undecided_may_name_another_place) {
+  Case undecided = case_of_loops(mended_mesh_of(Recipe{"random", {60, 2, 0}}));
+  Json& loop = undecided.document["pairs"][0]["handle"];
+  ASSERT_TRUE(loop.contains("undecided_because"));
+  loop["undecided_because"] = "the surface touches itself at the edge 0 - 1";
+  EXPECT_EQ(undecided.problems_of(undecided.document), std::vector<std::string>());
+  Case decided = case_of_loops(mended_mesh_of(Recipe{"torus", {100, 1, 0}}));
+  decided.document["pairs"][0]["handle"]["undecided_because"] = "the surface touches itself";
+  EXPECT_TRUE(is_named(decided.problems_of(decided.document), "undecided_because"));
+}
+
 TEST(Claims, by_unknown_keys_are_named_as_not_compared) {
   const Case original = case_of_loops(mended_mesh_of(Recipe{"torus", {100, 1, 0}}));
   Json document = original.document;
