@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Holds the rooms of the package to their arrows: a header of one room includes those of its own and
-# of the rooms that the line "Uses:" of its README.md names; the rooms make no circle; what only a
-# device needs is not in the way of a program for the processor.
+# of the rooms that the line "Uses:" of its README.md names; the rooms make no circle; none has more
+# lines than its line "Budget:" grants, which changes with a reason in the same commit; what only a device
+# needs is not in the way of a program for the processor.
 set -euo pipefail
 export LC_ALL=C
 cd "$(dirname "$0")/.."
@@ -48,6 +49,19 @@ check_includes() {
   done
 }
 
+check_budgets() {
+  local room lines budget
+  for room in $(rooms); do
+    lines=$(cat "$internal/$room"/*.h | wc -l)
+    budget=$(sed -n 's/^Budget: \([0-9]*\) lines$/\1/p' "$internal/$room/README.md")
+    if [ -z "$budget" ]; then
+      complain "$internal/$room/README.md: no line 'Budget: N lines'"
+    elif [ "$lines" -gt "$budget" ]; then
+      complain "$internal/$room: $lines lines, where $budget are granted"
+    fi
+  done
+}
+
 # tsort names the circles, if there are any.
 check_circles() {
   for room in $(rooms); do
@@ -74,6 +88,7 @@ check_processor() {
 
 check_pages
 check_includes
+check_budgets
 check_circles || true
 check_processor
 
