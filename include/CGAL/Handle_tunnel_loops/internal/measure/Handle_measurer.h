@@ -431,7 +431,7 @@ private:
 
   // Whether cycles are as wide as they may be, which may be other radii than were tried.
   void judge() {
-    for(std::size_t i = 0; i < (std::min)(cycles_.size(), most_.size()); ++i)
+    for(std::size_t i = 0; i < cycles_.size(); ++i)
       if(Cycle_trial& trial = trials_[i]; trial.is_wide && trial.radius >= (1. - gap) * most_[i])
         trial.narrow.clear();
       else if(trial.narrow.empty())
@@ -452,7 +452,7 @@ private:
     const Leaking_edges leaking(graph, names, loops_.size());
     double last = std::numeric_limits<double>::infinity();
     for(std::size_t i = 0; i < size_in_doubt(); ++i) {
-      if(trials_[i].narrow.empty())
+      if(is_known(i))
         continue;
       const double known = trials_[i].is_wide ? trials_[i].radius
                            : i < seen.size()  ? seen[i].radius
@@ -634,10 +634,11 @@ private:
   std::vector<double> most_; // by cycle, its radius at most
   Linked_segments linked_;
   Cycle_trials tries_;
-  std::size_t places_, number_ = 0; // of vertices, and of the cycles that are looked for
-  int rounds_ = 0;                  // after which bounds did not agree
-  int effort_ = 0;                  // rounds in which little was added
-  double area_ = 0., sides_ = 0.;   // of all faces
+  std::size_t places_;            // of vertices
+  std::size_t number_ = 0;        // of the widest cycles that are looked for among points
+  int rounds_ = 0;                // after which bounds did not agree
+  int effort_ = 0;                // rounds in which little was added
+  double area_ = 0., sides_ = 0.; // of all faces
   Box<3> box_;
   std::vector<Widest_cycle> cycles_;
   std::vector<Cycle_trial> trials_; // by cycle
