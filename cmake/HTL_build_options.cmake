@@ -27,6 +27,6 @@ if(HTL_SANITIZE)
   target_link_options(htl_build_options INTERFACE -fsanitize=${HTL_SANITIZE})
   if(HTL_SANITIZE STREQUAL "thread")
     target_include_directories(htl_build_options BEFORE INTERFACE
-      "${CMAKE_CURRENT_SOURCE_DIR}/developer_scripts/tsan")
+      "${CMAKE_CURRENT_SOURCE_DIR}/scripts/checks/tsan")
   endif()
 endif()

@@ -20,7 +20,6 @@ function(_htl_add_header_test name)
   target_link_libraries(${name} PRIVATE
     Handle_tunnel_loops $<TARGET_NAME_IF_EXISTS:CGAL::Eigen3_support> htl_build_options)
   # What is compiled once has headers of its own: the others need not include these.
-  target_compile_definitions(${name} PRIVATE CGAL_LINKED_WITH_HTL_CORE)
   # Templates are only parsed: optimising would cost time and find nothing.
   target_compile_options(${name} PRIVATE $<$<NOT:$<BOOL:${MSVC}>>:-O0;-g0>)
   add_test(NAME ${name}

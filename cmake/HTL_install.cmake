@@ -1,4 +1,4 @@
-# Install rules: the headers, the tool, its manual, and what find_package(Handle_tunnel_loops) reads.
+# Install rules: the library, the tool, its manual, and what find_package(Handle_tunnel_loops) reads.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -24,20 +24,14 @@ install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc/html" DESTINATION "${CMAKE_IN
   COMPONENT doc OPTIONAL) # where Doxygen is
 
 install(TARGETS Handle_tunnel_loops EXPORT Handle_tunnel_loopsTargets
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(EXPORT Handle_tunnel_loopsTargets
   NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
 
-if(HTL_CORE)
-  install(TARGETS htl_core EXPORT Handle_tunnel_loopsCoreTargets
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  install(EXPORT Handle_tunnel_loopsCoreTargets
-    NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
-endif()
-
 if(TARGET Handle_tunnel_loops_cuda)
   set_target_properties(Handle_tunnel_loops_cuda PROPERTIES EXPORT_NAME cuda)
-  install(TARGETS Handle_tunnel_loops_cuda htl_cuda EXPORT Handle_tunnel_loopsCudaTargets
+  install(TARGETS Handle_tunnel_loops_cuda htl_device htl_cuda EXPORT Handle_tunnel_loopsCudaTargets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   install(EXPORT Handle_tunnel_loopsCudaTargets
     NAMESPACE Handle_tunnel_loops:: DESTINATION "${_htl_config_dir}")
@@ -45,17 +39,10 @@ endif()
 
 configure_package_config_file(cmake/Handle_tunnel_loopsConfig.cmake.in
   Handle_tunnel_loopsConfig.cmake INSTALL_DESTINATION "${_htl_config_dir}")
-# Headers are for all machines, libraries are not.
-set(_htl_for_all_machines ARCH_INDEPENDENT)
-if(HTL_CORE OR TARGET Handle_tunnel_loops_cuda)
-  set(_htl_for_all_machines)
-endif()
-write_basic_package_version_file(Handle_tunnel_loopsConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ${_htl_for_all_machines})
+write_basic_package_version_file(Handle_tunnel_loopsConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
   "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfig.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/Handle_tunnel_loopsConfigVersion.cmake"
   DESTINATION "${_htl_config_dir}")
 include(HTL_pkg_config)
 unset(_htl_config_dir)
-unset(_htl_for_all_machines)

@@ -1,5 +1,4 @@
-# What pkg-config tells: handle_tunnel_loops is the headers, handle_tunnel_loops-core also links what is compiled
-# once. There is no such file of CGAL, so what it needs is told here.
+# What pkg-config tells. There is no such file of CGAL, so what it needs is told here.
 
 # What of a property is told in plain words.
 function(htl_plain_values variable target property)
@@ -40,9 +39,10 @@ endfunction()
 htl_definitions_of(CGAL::CGAL HTL_PC_DEFINITIONS)
 htl_folders_of(CGAL::CGAL HTL_PC_FOLDERS)
 htl_packages_of(CGAL::CGAL HTL_PC_PACKAGES)
-htl_definitions_of(htl_core HTL_PC_CORE_DEFINITIONS)
-htl_plain_values(HTL_PC_CORE_LINK_OPTIONS htl_core INTERFACE_LINK_OPTIONS)
-string(JOIN " " HTL_PC_CORE_LINK_OPTIONS ${HTL_PC_CORE_LINK_OPTIONS})
+htl_definitions_of(Handle_tunnel_loops _htl_own)
+string(APPEND HTL_PC_DEFINITIONS "${_htl_own}")
+htl_plain_values(HTL_PC_LINK_OPTIONS Handle_tunnel_loops INTERFACE_LINK_OPTIONS)
+string(JOIN " " HTL_PC_LINK_OPTIONS ${HTL_PC_LINK_OPTIONS})
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   string(APPEND HTL_PC_DEFINITIONS " -frounding-math")
 endif()
@@ -61,12 +61,7 @@ cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_LIBDIR BASE_DIRECTORY "\${prefix}" OUTPUT
 cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_INCLUDEDIR BASE_DIRECTORY "\${prefix}"
   OUTPUT_VARIABLE HTL_PC_INCLUDEDIR)
 
-set(_htl_pc_files handle_tunnel_loops)
-if(HTL_CORE)
-  list(APPEND _htl_pc_files handle_tunnel_loops-core)
-endif()
-foreach(name IN LISTS _htl_pc_files)
-  configure_file("${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${name}.pc" @ONLY)
-  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${name}.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
-endforeach()
-unset(_htl_pc_files)
+configure_file(cmake/handle_tunnel_loops.pc.in handle_tunnel_loops.pc @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/handle_tunnel_loops.pc"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+unset(_htl_own)

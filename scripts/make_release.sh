@@ -17,7 +17,7 @@ missing=()
 export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat --format=%Y VERSION)}"
 
 # The version is the same everywhere.
-developer_scripts/check_package.sh >/dev/null
+scripts/checks/check_package.sh >/dev/null
 
 # step NAME COMMAND [ARGUMENT...]: what the rest can do without.
 step() {

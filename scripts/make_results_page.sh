@@ -63,7 +63,7 @@ processor() {
 
 commit() {
   git rev-parse --short HEAD 2>/dev/null || echo unknown
-  git diff --quiet HEAD -- include core src benchmark/Handle_tunnel_loops || echo "and changes"
+  git diff --quiet HEAD -- include src benchmark/Handle_tunnel_loops || echo "and changes"
 }
 
 {

@@ -13,6 +13,7 @@
 #include "Memory_pool.cuh"
 #include "checks.cuh"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/certificate.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Loops_of_caller.h>
@@ -161,16 +161,15 @@ public:
     statistics_ = prepared_;
     certificate_ = Certificate();
     auto visitor = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
-    impl::Progress progress(
+    const impl::Listeners listeners = {
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
         [&](Stage stage) { unwrapped(visitor).start_stage(stage); },
-        [&](Stage stage) { unwrapped(visitor).end_stage(stage); }, statistics_,
-        impl::Progress::stages_of_loops());
+        [&](Stage stage) { unwrapped(visitor).end_stage(stage); }};
     impl::Loop_request wanted = request(np);
     wanted.make_passes = &impl::make_passes<ConcurrencyTag>;
     const auto loops = make_loops_();
     certificate_ = impl::find_loops(impl::execution_of<ConcurrencyTag>(), surface_->mesh, wanted,
-                                    *loops, progress, statistics_);
+                                    *loops, listeners, statistics_);
     return std::move(loops->pairs.begin(), loops->pairs.end(), out);
   }
 

@@ -15,7 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Basis_kind.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/certify.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -164,9 +165,16 @@ OutputIterator boundary_loops(const TriangleMesh& tm,
                               [](const Loop& waist) { return waist.size() == 0; }),
                waists.end());
   const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
-  const impl::Boundary_check<TriangleMesh, decltype(vertex_index), decltype(face_index), Loop>
-      check(execution, tm, vertex_index, face_index);
-  const std::vector<std::string> problems = check.problems_of_waists(curves, waists);
+  const impl::Triangle_reader<TriangleMesh, std::decay_t<decltype(face_index)>> reader(tm,
+                                                                                       face_index);
+  std::vector<impl::Listed_loop> listed_curves;
+  for(const Loop& curve : curves)
+    listed_curves.push_back(reader.listed(curve));
+  std::vector<impl::Listed_waist> listed_waists;
+  for(const Loop& waist : waists)
+    listed_waists.push_back({reader.listed(waist), waist.pair_index()});
+  const std::vector<std::string> problems = impl::problems_of_waists(
+      execution, reader.read(execution, vertex_index, point), listed_curves, listed_waists);
   if(!problems.empty())
     throw Handle_tunnel_loops::Uncertified_loops_exception("the waists found are not certified: " +
                                                            problems.front());

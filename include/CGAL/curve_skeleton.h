@@ -17,12 +17,10 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/Skeleton_converter.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/put_into_own_frame.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 #include <CGAL/certify_curve_skeleton.h>
@@ -36,6 +34,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// \file curve_skeleton.h
 /// Computes a curve skeleton inside a surface, with as many cycles as the surface has handles.
@@ -177,22 +176,22 @@ curve_skeleton(const TriangleMesh& tm,
   surface.describe(statistics);
 
   auto places = impl::places_of_vertices(execution, surface);
-  const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
+  const auto frame = impl::put_into_own_frame(execution, surface, places);
   impl::Loop_request request = impl::loop_request(
       choose_parameter(get_parameter(np, internal_np::solver_options), Solver_options()));
   request.passes.do_tighten = request.classes.do_shorten = false; // any basis will do
   request.classes.do_link = true;                                 // which of them are handle loops
   request.make_passes = &impl::make_passes<ConcurrencyTag>;
-  impl::Loops_on_arrays loops(surface.coordinates(execution));
   const std::function<bool(double)> callback =
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
-  loops.find(execution, surface.mesh, std::move(request), callback);
+  const std::vector<impl::Flat_pair> pairs = impl::loops_on_arrays(
+      execution, surface.mesh, surface.coordinates(execution), std::move(request), callback);
   statistics.seconds_of_loops = seconds_since(began);
 
   const auto has_loops = Clock::now();
   std::string taken_alone = impl::join_components_of_solids(execution, surface.mesh, places);
   impl::Found_skeleton found =
-      impl::find_skeleton(execution, surface.mesh, frame, places, loops.pairs(), options,
+      impl::find_skeleton(execution, surface.mesh, *frame, places, pairs, options,
                           impl::face_numbers(surface, face_index), [&callback] {
                             if(callback && !callback(1.))
                               throw Interrupted_exception();

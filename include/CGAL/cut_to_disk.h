@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_request.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
-#include <CGAL/Handle_tunnel_loops/loops_as_edges.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/for_each_loop_of.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops_solver.h>
 

@@ -14,10 +14,11 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Dual_cut_check.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Dual_chains.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_request.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/cut_open.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/for_each_loop_of.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/waists.h>
-#include <CGAL/cut_to_disk.h>
+#include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -108,21 +109,14 @@ OutputIterator dual_cuts(const TriangleMesh& tm,
   for(const auto& pair : pairs)
     impl::for_each_loop_of(pair, [&](const auto& loop) { request.add_loop(loop); });
   const std::vector<impl::Index> hubs = impl::hubs_of_basis(mesh);
-  std::vector<impl::Crossing_loop> basis;
-  for(const auto& walk : request.problem().walks)
-    basis.push_back(impl::pushed_left(mesh, walk));
-  for(const impl::Index hub : hubs)
-    basis.push_back(impl::beside_boundary(mesh, hub));
   const impl::Cut_problem& problem = request.problem();
-  const std::vector<impl::Index> cut = impl::cut_open(problem);
   std::vector<std::vector<std::pair<Halfedge, std::int64_t>>> cuts;
-  for(const auto& chain : impl::Dual_chains(problem, cut).dual_to(basis)) {
+  for(const impl::Chain_of_halfedges& chain : impl::dual_chains(problem)) {
     cuts.emplace_back();
-    for(const auto& [h, times] : chain)
-      if(!problem.is_spoke(h)) {
-        const impl::Index forward = times > 0 ? h : problem.halfedges.twin(h);
-        cuts.back().emplace_back(request.halfedge_of_caller(forward), times > 0 ? times : -times);
-      }
+    for(const auto& [h, times] : chain) {
+      const impl::Index forward = times > 0 ? h : problem.halfedges.twin(h);
+      cuts.back().emplace_back(request.halfedge_of_caller(forward), times > 0 ? times : -times);
+    }
   }
   const impl::Dual_cut_check check(tm, vertex_index, cuts);
   std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> loops;

@@ -15,13 +15,11 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/Loops_on_arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/places_of_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Own_numbering.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/put_into_own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
@@ -34,6 +32,7 @@
 #include <chrono>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// \file embed_reeb_graph.h
@@ -169,17 +168,17 @@ embed_reeb_graph(const TriangleMesh& tm,
                                    get_const_property_map(vertex_point, tm));
   impl::Prepared_surface surface(execution, tm, vertex_index, point);
   std::vector<impl::Vector> places = impl::places_of_vertices(execution, surface);
-  const impl::Own_frame frame = impl::put_into_own_frame(execution, surface, places);
+  const auto frame = impl::put_into_own_frame(execution, surface, places);
   impl::Loop_request request = impl::loop_request({});
   request.classes.do_shorten = false; // any basis will do
   request.classes.do_link = true;     // which of them are handle loops
   request.make_passes = &impl::make_passes<ConcurrencyTag>;
-  impl::Loops_on_arrays loops(surface.coordinates(execution));
-  loops.find(execution, surface.mesh, std::move(request), {});
+  const std::vector<impl::Flat_pair> pairs = impl::loops_on_arrays(
+      execution, surface.mesh, surface.coordinates(execution), std::move(request));
   impl::join_components_of_solids(execution, surface.mesh, places);
   const std::vector<impl::Index> flat = impl::indices_in_arrays(surface, vertex_index);
   const impl::Inner_drawing drawing =
-      impl::draw_inside(execution, surface.mesh, frame, places, loops.pairs(),
+      impl::draw_inside(execution, surface.mesh, *frame, places, pairs,
                         impl::parts_of_graph(graph, surface.mesh, [&](const auto v) {
                           return flat[get(vertex_index, v)];
                         }));

@@ -62,7 +62,7 @@ contributes no loops.
 
 The running time is proportional to the size of the mesh plus the size of the regions that the
 fields of the handles cover, plus at most about a second for the search in other classes. The memory
-is 69 to 122 bytes per face, and 5 to 8 bytes per face more for each further thread. These figures
+is 80 to 122 bytes per face, and 5 to 8 bytes per face more for each further thread. These figures
 were measured with two threads on meshes of one to ten million faces and genus 1 to 1500; longer
 loops relative to the mesh need more.
 

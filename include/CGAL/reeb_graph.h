@@ -15,7 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/diffusion.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_computation.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
@@ -188,23 +188,12 @@ reeb_graph(const TriangleMesh& tm,
         impl::execution_of<ConcurrencyTag>(), tm, np);
   }();
   const auto diffusion = [&](const impl::Flat_mesh& mesh, Statistics& statistics) {
-    impl::Pass_options options;
-    options.field_constants = given.field_constants;
-    options.literal_rules = given.literal_rules;
-    options.device = given.device;
-    options.do_coarsen = given.do_coarsen;
-    // The diffusion hardly depends on the exact starting curve.
-    options.do_tighten = false;
-    options.fields_of_refinement = 4;
-    const auto nothing = [](Stage) {};
-    impl::Progress progress(
+    return impl::times_of_diffusion(
+        mesh, &impl::make_passes<ConcurrencyTag>, given, computation.sources(),
         choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()),
-        nothing, nothing, statistics, impl::Progress::stages_of_diffusion());
-    const auto passes = impl::make_passes<ConcurrencyTag>(mesh, mesh.seeds, options);
-    return impl::diffusion_times(*passes, options, mesh, computation.sources(), progress,
-                                 statistics);
+        statistics);
   };
-  return computation.run_on_times(diffusion, graph);
+  return computation.run_on_times(diffusion, impl::ticks_per_step_of_diffusion(), graph);
 }
 
 } // namespace CGAL

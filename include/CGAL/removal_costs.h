@@ -14,7 +14,9 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_costs.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Single_removals.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/costs_of_removals.h>
+
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -22,6 +24,9 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <functional>
+#include <type_traits>
+#include <vector>
 
 /// \file removal_costs.h
 /// Computes the cost of removing each handle on its own.
@@ -103,10 +108,28 @@ OutputIterator removal_costs(const TriangleMesh& tm,
                              const PairRange& pairs,
                              OutputIterator out,
                              const NamedParameters& np = parameters::default_values()) {
-  const auto costs =
-      Handle_tunnel_loops::internal::Single_removals<ConcurrencyTag, TriangleMesh, NamedParameters>(
-          tm, np)
-          .costs(pairs);
+  namespace impl = Handle_tunnel_loops::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  constexpr impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  std::vector<impl::Choice_of_handle> handles;
+  for(const auto& pair : pairs)
+    handles.push_back(impl::choice_of_handle(pair, tm, vertex_index));
+  if(handles.empty())
+    return out;
+  const Point_map point = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                           get_const_property_map(vertex_point, tm));
+  const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+  const impl::Triangle_reader<TriangleMesh, std::decay_t<decltype(face_index)>> reader(tm,
+                                                                                       face_index);
+  const auto costs = impl::costs_of_removals(
+      execution, reader.read(execution, vertex_index, point), handles,
+      choose_parameter(get_parameter(np, internal_np::removal_options),
+                       Handle_tunnel_loops::Removal_options())
+          .force,
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>()));
   return std::copy(costs.begin(), costs.end(), out);
 }
 

@@ -14,11 +14,21 @@
 
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_remover.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/removal.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
+#include <CGAL/Handle_tunnel_loops_solver.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/iterator.h>
 #include <CGAL/tags.h>
+
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 
@@ -104,8 +114,8 @@ The running time is that of finding the loops, unless you pass them, and near li
 the mesh and of the caps. Each further computation of the loops adds its time. Besides the mesh, the
 memory is 120 bytes per face, and 300 bytes per face if the loops are computed again.
 
-Caps are smoothed only if the program is compiled with \eigen (`CGAL_EIGEN3_ENABLED`). Otherwise
-they are refined and planar.
+Caps are smoothed only if the library is compiled with \eigen. Otherwise they are refined and
+planar.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
@@ -223,8 +233,81 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters = parameters::Default_named_parameters>
 Handle_tunnel_loops::Removal_report
 remove_handles(TriangleMesh& tm, const NamedParameters& np = parameters::default_values()) {
-  return Handle_tunnel_loops::internal::Handle_remover<ConcurrencyTag, TriangleMesh,
-                                                       NamedParameters>(tm, np)();
+  using namespace Handle_tunnel_loops;
+  namespace impl = Handle_tunnel_loops::internal;
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+  using Const_point_map = typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type;
+  using Geom_traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  using Solver = Handle_tunnel_loops_solver<TriangleMesh, Const_point_map, Geom_traits>;
+  using Pair = typename Solver::Pair;
+  constexpr impl::Execution execution = impl::execution_of<ConcurrencyTag>();
+  const auto vertex_index = CGAL::get_initialized_vertex_index_map(tm, np);
+  const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+  const auto point = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                      get_property_map(vertex_point, tm));
+  const auto callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  impl::Removal_request request;
+  request.options =
+      choose_parameter(get_parameter(np, internal_np::removal_options), Removal_options());
+  request.callback = callback;
+
+  std::vector<Pair> pairs;
+  { // the solver checks the mesh, whoever finds the loops
+    Solver solver(ConcurrencyTag(), tm, np);
+    request.genus = solver.genus();
+    request.components = solver.number_of_components();
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::known_loops_t>::value) {
+      const auto& known = get_parameter(np, internal_np::known_loops);
+      pairs.assign(known.begin(), known.end());
+      request.are_loops_of_caller = true;
+    } else
+      solver.template find_loops<ConcurrencyTag>(
+          std::back_inserter(pairs),
+          parameters::callback(std::function<bool(double)>(
+              [&](double done) { return !callback || callback(0.7 * done); })));
+  }
+  for(const Pair& pair : pairs)
+    request.handles.push_back(impl::choice_of_handle(pair, tm, vertex_index, request.options.box));
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::filter_t>::value)
+    request.filter = [&](std::size_t i) {
+      return get_parameter(np, internal_np::filter)(pairs[i]);
+    };
+  const impl::Triangle_reader<TriangleMesh, std::decay_t<decltype(face_index)>> reader(tm,
+                                                                                       face_index);
+  impl::Mesh_link<TriangleMesh, std::decay_t<decltype(point)>> link(tm, point, vertex_index,
+                                                                    reader);
+  const impl::Removal_result result =
+      impl::removal_of_handles(execution, reader.read(execution, vertex_index, point), request);
+  if(choose_parameter(get_parameter(np, internal_np::dry_run), false))
+    return result.report;
+
+  auto vertices =
+      choose_parameter(get_parameter(np, internal_np::vertex_output_iterator), Emptyset_iterator());
+  auto faces =
+      choose_parameter(get_parameter(np, internal_np::face_output_iterator), Emptyset_iterator());
+  link.write_back(
+      result.change, [&](auto v) { *vertices++ = v; },
+      [&]([[maybe_unused]] const impl::Mesh_change::New_face& face, auto f) {
+        *faces++ = f;
+        if constexpr(!is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
+          put(get_parameter(np, internal_np::face_patch), f, face.patch);
+        if constexpr(!is_default_parameter<NamedParameters, internal_np::face_to_face_map_t>::value)
+          if(face.origin != impl::no_index)
+            put(get_parameter(np, internal_np::face_to_face_map), f, link.face_read(face.origin));
+      });
+  // With no index maps of the caller, which know the mesh as it was.
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::output_iterator_t>::value) {
+    const auto traits = choose_parameter<Geom_traits>(get_parameter(np, internal_np::geom_traits));
+    const Const_point_map point_now = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                                       get_const_property_map(vertex_point, tm));
+    Solver solver(ConcurrencyTag(), tm,
+                  parameters::vertex_point_map(point_now).geom_traits(traits));
+    solver.template find_loops<ConcurrencyTag>(get_parameter(np, internal_np::output_iterator));
+  }
+  return result.report;
 }
 
 } // namespace CGAL

@@ -7,7 +7,6 @@ vcpkg_extract_source_archive(SOURCE_PATH ARCHIVE "${archive}")
 
 vcpkg_check_features(OUT_FEATURE_OPTIONS features
   FEATURES
-    core HTL_CORE
     tool HTL_BUILD_TOOL
   INVERTED_FEATURES
     tbb CMAKE_DISABLE_FIND_PACKAGE_TBB)

@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/backend.h>
 #include <CGAL/Handle_tunnel_loops/release_device_memory.h>
 
 #ifdef CGAL_LINKED_WITH_CUDA
-#include <CGAL/Handle_tunnel_loops/internal/device/Passes_on_device.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/device_passes.h>
 #endif
 
 #include <CGAL/tags.h>
@@ -88,7 +88,7 @@ template <> struct Passes_of_tag<Cuda_if_available_tag> : device::Passes_if_ther
 // Depends on a type, so that only programs that use the tag fail to compile.
 template <typename Tag> struct Passes_without_cuda : Passes_of_tag<Threads_if_available_tag>
 {
-  static std::unique_ptr<Passes> make(const Flat_mesh&, std::vector<Index>, const Pass_options&) {
+  static std::shared_ptr<Passes> make(const Flat_mesh&, std::vector<Index>, const Pass_options&) {
     static_assert(std::is_void<Tag>::value,
                   "Cuda_tag is used but the program is not linked with Handle_tunnel_loops::cuda");
     return nullptr;
@@ -100,7 +100,7 @@ template <> struct Passes_of_tag<Cuda_tag> : Passes_without_cuda<Cuda_tag>
 
 template <> struct Passes_of_tag<Cuda_if_available_tag> : Passes_of_tag<Threads_if_available_tag>
 {
-  static std::unique_ptr<Passes>
+  static std::shared_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
     return host_passes(execution_of<Cuda_if_available_tag>(), mesh, std::move(seeds), options,
                        "the program is not linked with Handle_tunnel_loops::cuda");

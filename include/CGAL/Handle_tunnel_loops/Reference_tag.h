@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
-#include <CGAL/Handle_tunnel_loops/internal/reference/Reference_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/reference/make_reference_passes.h>
 
 #include <CGAL/tags.h>
 
@@ -74,9 +74,9 @@ template <> struct Passes_of_tag<Reference_tag> : Passes_of_tag<Sequential_tag>
 {
   static constexpr bool may_coarsen = false; // the paper has one mesh
 
-  static std::unique_ptr<Passes>
+  static std::shared_ptr<Passes>
   make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    return std::make_unique<reference::Reference_passes>(mesh, std::move(seeds), options);
+    return reference::make_reference_passes(mesh, std::move(seeds), options);
   }
 };
 #else

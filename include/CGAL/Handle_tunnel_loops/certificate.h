@@ -15,10 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/certify.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/mesh_checks.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
@@ -27,7 +25,33 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
+#include <set>
+#include <type_traits>
+#include <utility>
+
 namespace CGAL {
+
+namespace Handle_tunnel_loops::internal {
+
+/// Returns whether all steps of the loops that are anywhere are on halfedges of the mesh.
+template <typename TriangleMesh, typename PairRange>
+bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
+  const auto range = halfedges(tm);
+  const std::set<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> all(range.begin(),
+                                                                                      range.end());
+  const auto is_loop = [&](const auto& loop) {
+    return std::all_of(loop.steps().begin(), loop.steps().end(), [&](const auto& step) {
+      return step.halfedge == boost::graph_traits<TriangleMesh>::null_halfedge() ||
+             all.count(step.halfedge) != 0;
+    });
+  };
+  return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+    return is_loop(pair.handle()) && is_loop(pair.tunnel());
+  });
+}
+
+} // namespace Handle_tunnel_loops::internal
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef
@@ -55,11 +79,12 @@ in the size of the mesh if the loops are short.
 The parts of the certificate depend on the solver to different degrees:
 
 - *Basis.* The check shares no algorithm with the code that finds loops, except the distribution of
-  work to threads and, for a surface with boundary, the arrays of the mesh, which contain its caps.
+  work to threads. It works on a list of triangles that it reads from the mesh itself, face by face,
+  and not on the arrays of the solver.
 - *Crossings and sides.* One computation of intersection numbers and linking numbers decides whether
   the loops of a pair cross once and on which sides loops bound. This computation does not find
-  loops either. This function applies it to the given loops on the given mesh; a solver applies it
-  to the loops on its arrays before it converts them.
+  loops either. This function applies it to the given loops on its list of triangles; a solver
+  applies it to the loops on its arrays before it converts them.
 - *Names.* The names are not independent of the solver. It names the loops by the same linking
   numbers and with the same function that decides here whether handle loop and tunnel loop are
   swapped. This check is useful for loops of other origin.
@@ -141,17 +166,14 @@ certify_handle_tunnel_loops(const TriangleMesh& tm,
   const bool do_link = choose_parameter(get_parameter(np, internal_np::solver_options),
                                         Handle_tunnel_loops::Solver_options())
                            .do_compute_linking;
-  const bool is_closed = impl::is_closed_after_check(execution, tm, vertex_index);
+  const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
+  const impl::Triangle_reader<TriangleMesh, std::decay_t<decltype(face_index)>> reader(tm,
+                                                                                       face_index);
+  impl::Triangle_list list = reader.read(execution, vertex_index, point);
+  if(!list.is_closed) // its vertices may have several fans
+    impl::Prepared_surface(execution, tm, vertex_index, point);
   CGAL_expensive_precondition(impl::are_loops_of(tm, pairs));
-  if(is_closed) {
-    const auto face_index = CGAL::get_initialized_face_index_map(tm, np);
-    const impl::Closed_surface surface(tm, point, vertex_index, face_index);
-    return impl::certify(execution, surface, kind, pairs, do_link);
-  }
-  const impl::Prepared_surface prepared(execution, tm, vertex_index, point);
-  const impl::Flat_surface surface(prepared.mesh, prepared.coordinates(execution));
-  return impl::certify_flat(execution, surface, kind, surface.pairs(tm, vertex_index, pairs),
-                            do_link);
+  return impl::certify(execution, std::move(list), reader.loops_of(pairs), kind, do_link);
 }
 
 } // namespace CGAL

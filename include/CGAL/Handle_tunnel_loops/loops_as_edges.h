@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Loop_imprint.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/for_each_loop_of.h>
 #include <CGAL/Handle_tunnel_loops/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -84,21 +85,6 @@ OutputIterator loop_to_halfedges(const Loop& loop,
   const auto halfedges = Handle_tunnel_loops::internal::halfedges_of_loop(loop, tm, point);
   return std::copy(halfedges.begin(), halfedges.end(), out);
 }
-
-namespace Handle_tunnel_loops::internal {
-
-/// Calls `f` for both loops of a pair, or for a single loop.
-template <typename TriangleMesh, typename Point, typename Function>
-void for_each_loop_of(const Handle_tunnel_pair<TriangleMesh, Point>& pair, const Function& f) {
-  f(pair.handle());
-  f(pair.tunnel());
-}
-template <typename Loop, typename Function>
-void for_each_loop_of(const Loop& loop, const Function& f) {
-  f(loop);
-}
-
-} // namespace Handle_tunnel_loops::internal
 
 /*!
 \ingroup PkgHandleTunnelLoopsRef

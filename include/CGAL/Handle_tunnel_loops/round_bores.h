@@ -13,22 +13,19 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Round_bore.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/crosses_faces_along_axis.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/round_bores_of.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <map>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 /// \file round_bores.h
@@ -46,9 +43,9 @@ the circle through the vertices of the wall, so it is exact for any number of si
 a bore with counterbores, it is the diameter of the narrowest part. The parts of a
 bore that others part are on the cylinder of the longest, up to a hundredth of the diameter.
 
-The running time is near linear in the size of the mesh and of the walls of the bores. It is linear
-in the length of the loops if no loop looks like that of a bore: most faces that a tight loop around
-a bore crosses are parallel to the axis of the loop.
+The running time is near linear in the size of the mesh and of the walls of the bores. It is that of
+reading the mesh if no loop looks like that of a bore: most faces that a tight loop around a bore
+crosses are parallel to the axis of the loop.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
   `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result does
@@ -112,36 +109,31 @@ OutputIterator round_bores(const TriangleMesh& tm,
   const auto point =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(vertex_point, tm));
-  std::vector<std::optional<Bore>> bores;
-  std::vector<std::vector<impl::Place_on_edge>> tunnels;
-  std::vector<std::size_t> numbers; // of their pairs
+  std::vector<impl::Tunnel_to_search> tunnels;
   for(const auto& pair : pairs) {
-    if(impl::crosses_faces_along_axis(pair.tunnel(), tm, point)) {
-      tunnels.push_back(impl::loop_choice(pair.tunnel(), tm, vertex_index).places);
-      numbers.push_back(bores.size());
-    }
-    bores.emplace_back();
+    tunnels.push_back({impl::loop_choice(pair.tunnel(), tm, vertex_index).places, {}});
+    for(const auto& p : pair.tunnel().points())
+      tunnels.back().points.push_back(
+          {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
   }
-  if(!tunnels.empty()) {
-    impl::Mesh_link<const TriangleMesh, Point_map> link(tm, point);
-    const impl::Surgery_mesh mesh = link.read(execution, vertex_index, face_index);
-    const auto found = impl::bores_around(execution, mesh, tunnels);
-    const double unit = link.unit();
-    std::map<impl::Index, std::size_t> drillings; // by their first faces
-    for(std::size_t i = 0; i < found.size(); ++i)
-      if(found[i]) {
-        const auto& c = found[i]->center;
-        const auto& a = found[i]->axis;
-        bores[numbers[i]] =
-            Bore{unit * found[i]->diameter,
-                 Point(unit * c.x(), unit * c.y(), unit * c.z()),
-                 {a.x(), a.y(), a.z()},
-                 unit * found[i]->length,
-                 unit * found[i]->deviation,
-                 drillings.insert({found[i]->first_face, drillings.size()}).first->second};
-      }
+  if(tunnels.empty())
+    return out;
+  const impl::Triangle_reader<TriangleMesh, std::decay_t<decltype(face_index)>> reader(tm,
+                                                                                       face_index);
+  for(const auto& bore :
+      impl::round_bores_of(execution, reader.read(execution, vertex_index, point), tunnels))
+  {
+    std::optional<Bore> converted;
+    if(bore)
+      converted = Bore{bore->diameter,
+                       Point(bore->center[0], bore->center[1], bore->center[2]),
+                       {bore->axis[0], bore->axis[1], bore->axis[2]},
+                       bore->length,
+                       bore->deviation,
+                       bore->drilling};
+    *out++ = converted;
   }
-  return std::copy(bores.begin(), bores.end(), out);
+  return out;
 }
 
 } // namespace CGAL

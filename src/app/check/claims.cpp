@@ -218,8 +218,11 @@ private:
 
 std::vector<std::string> problems_of_throats(const Mesh& mesh, const std::vector<Loop>& throats) {
   std::vector<std::string> problems;
+  if(throats.empty())
+    return problems;
+  const std::vector<char> are_closed = are_closed_on_surface(mesh, throats);
   for(std::size_t i = 0; i < throats.size(); ++i)
-    if(!is_closed_on_surface(mesh, throats[i]))
+    if(!are_closed[i])
       problems.push_back("throat " + std::to_string(i) + " is not a closed curve on the surface");
   return problems;
 }

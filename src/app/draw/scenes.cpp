@@ -17,6 +17,7 @@
 #include "words.h"
 #include "write/throat_tables.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/elementary_functions.h>
 #include <CGAL/number_utils.h>
 

@@ -13,8 +13,7 @@
 #include "solve/progress.h"
 
 #include <CGAL/Handle_tunnel_loops/certificate.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Boundary_check.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/certify.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
 #include <CGAL/certify_curve_skeleton.h>
@@ -36,6 +35,14 @@ private:
 
 using Prepared_mesh =
     internal::Prepared_surface<Mesh, boost::property_map<Mesh, CGAL::vertex_point_t>::const_type>;
+
+using Reader =
+    internal::Triangle_reader<Mesh, boost::property_map<Mesh, boost::face_index_t>::const_type>;
+
+internal::Triangle_list triangles_of(const Mesh& mesh, const Reader& reader) {
+  return reader.read(internal::execution_of<All_threads_tag>(), get(boost::vertex_index, mesh),
+                     get(CGAL::vertex_point, mesh));
+}
 
 // With the caps that close its boundary curves.
 bool touches_itself_with_caps(internal::Execution execution, const Prepared_mesh& surface) {
@@ -71,18 +78,28 @@ Certificate certify(const Mesh& mesh, const Pairs& pairs, Basis_kind basis_kind,
 std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
                                                 const std::vector<Loop>& curves,
                                                 const std::vector<Loop>& waists) {
-  auto vertex_index = get(boost::vertex_index, mesh);
-  auto face_index = get(boost::face_index, mesh);
-  const internal::Boundary_check<Mesh, decltype(vertex_index), decltype(face_index), Loop> check(
-      internal::execution_of<All_threads_tag>(), mesh, vertex_index, face_index);
-  return check.problems(find_boundaries(mesh, false).curves, curves, waists);
+  const Reader reader(mesh, get(boost::face_index, mesh));
+  std::vector<internal::Listed_loop> listed_curves;
+  for(const Loop& curve : curves)
+    listed_curves.push_back(reader.listed(curve));
+  std::vector<internal::Listed_waist> listed_waists;
+  for(const Loop& waist : waists)
+    listed_waists.push_back({reader.listed(waist), waist.pair_index()});
+  return internal::problems_of_boundaries(internal::execution_of<All_threads_tag>(),
+                                          triangles_of(mesh, reader), listed_curves, listed_waists);
 }
 
-bool is_closed_on_surface(const Mesh& mesh, const Loop& loop) {
-  internal::Loop_certifier certifier(mesh, get(boost::vertex_index, mesh),
-                                     get(boost::face_index, mesh));
-  certifier.set_loops(internal::Execution(), std::vector<const Loop*>{&loop});
-  return certifier.are_closed_on_surface();
+std::vector<char> are_closed_on_surface(const Mesh& mesh, const std::vector<Loop>& loops) {
+  const Reader reader(mesh, get(boost::face_index, mesh));
+  std::vector<internal::Listed_loop> listed;
+  for(const Loop& loop : loops)
+    listed.push_back(reader.listed(loop));
+  const std::vector<std::string> reasons = internal::reasons_not_closed(
+      internal::execution_of<All_threads_tag>(), triangles_of(mesh, reader), listed);
+  std::vector<char> are_closed;
+  for(const std::string& reason : reasons)
+    are_closed.push_back(reason.empty());
+  return are_closed;
 }
 
 bool touches_itself(const Mesh& mesh, const std::function<void()>& look) {

@@ -31,7 +31,7 @@ std::vector<std::string> problems_of_boundaries(const Mesh& mesh,
                                                 const std::vector<Loop>& waists);
 
 /// whether a loop that was found elsewhere is a closed curve on the surface.
-bool is_closed_on_surface(const Mesh& mesh, const Loop& loop);
+std::vector<char> are_closed_on_surface(const Mesh& mesh, const std::vector<Loop>& loops);
 
 /// whether two faces meet elsewhere than in a common vertex or edge, or a face has no area: then
 /// the surface is not the boundary of a solid. Decided exactly. Takes about as long as reading the

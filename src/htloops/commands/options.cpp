@@ -23,6 +23,8 @@
 #include "app/write/tables.h"
 #include "commands/usage_messages.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <boost/algorithm/string/join.hpp>

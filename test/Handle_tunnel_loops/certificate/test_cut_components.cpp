@@ -8,6 +8,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -145,21 +147,30 @@ std::vector<Index> pieces_by_search(const Mesh& mesh, const Cuts& cuts) {
   return piece;
 }
 
-void expect_pieces(Execution execution, const Mesh& mesh, const Cuts& cuts) {
-  const auto vertex_index = get(boost::vertex_index, mesh);
+Closed_triangles triangles_of(Execution execution, const Mesh& mesh) {
   const auto face_index = get(boost::face_index, mesh);
-  Cut_components<Mesh, std::decay_t<decltype(vertex_index)>, std::decay_t<decltype(face_index)>>
-      pieces(mesh, vertex_index, face_index);
+  const Triangle_reader<Mesh, std::decay_t<decltype(face_index)>> reader(mesh, face_index);
+  return Closed_triangles(
+      reader.read(execution, get(boost::vertex_index, mesh), get(CGAL::vertex_point, mesh)));
+}
+
+Closed_triangles::Halfedge face_of(Mesh::Face_index f) { return {3 * static_cast<Index>(f)}; }
+
+void expect_pieces(Execution execution, const Mesh& mesh, const Cuts& cuts) {
+  const Closed_triangles triangles = triangles_of(execution, mesh);
+  Cut_components pieces(triangles);
   std::vector<std::atomic<int>> calls(mesh.num_edges());
-  pieces.cut(execution, cuts.ends, [&](Mesh::Halfedge_index h) {
-    EXPECT_LT(mesh.source(h), mesh.target(h));
-    ++calls[mesh.edge(h)];
-    return cuts.is_cut[mesh.edge(h)] != 0;
+  pieces.cut(execution, cuts.ends, [&](Closed_triangles::Halfedge h) {
+    const Mesh::Vertex_index u(source(h, triangles)), v(target(h, triangles));
+    EXPECT_LT(u, v);
+    const Mesh::Edge_index e = mesh.edge(mesh.halfedge(u, v));
+    ++calls[e];
+    return cuts.is_cut[e] != 0;
   });
   const std::vector<Index> expected = pieces_by_search(mesh, cuts);
   std::set<Index> expected_pieces;
   for(const Mesh::Face_index f : mesh.faces()) {
-    EXPECT_EQ(pieces.piece(f), expected[f]);
+    EXPECT_EQ(pieces.piece(face_of(f)), expected[f]);
     expected_pieces.insert(expected[f]);
   }
   EXPECT_EQ(pieces.pieces(), std::vector<Index>(expected_pieces.begin(), expected_pieces.end()));
@@ -167,10 +178,9 @@ void expect_pieces(Execution execution, const Mesh& mesh, const Cuts& cuts) {
     EXPECT_LE(calls[e], 1);
     EXPECT_GE(calls[e], cuts.is_cut[e]);
   }
-  EXPECT_EQ(pieces.number_of_faces(), mesh.number_of_faces());
   pieces.renumber(execution, [](Index piece) { return piece + 7; });
   for(const Mesh::Face_index f : mesh.faces())
-    EXPECT_EQ(pieces.piece(f), expected[f] + 7);
+    EXPECT_EQ(pieces.piece(face_of(f)), expected[f] + 7);
 }
 
 TEST_P(Pieces, AreThoseOfASearch) {
@@ -194,20 +204,86 @@ TEST_P(Pieces, ArePiecesOfAllComponents) {
     expect_pieces(execution, mesh, random_cuts(mesh, one_of, random));
 }
 
-// Removed and isolated vertices leave gaps and are not counted.
+// Removed and isolated vertices leave gaps.
 TEST_P(Pieces, TakeNoNoticeOfVerticesWithoutFaces) {
   Mesh mesh = mesh_of(Recipe{"torus", {2000, 1, 0}});
-  const std::size_t number = mesh.number_of_vertices();
   const Mesh::Vertex_index removed = mesh.add_vertex();
   mesh.add_vertex();
   mesh.remove_vertex(removed);
-  const auto vertex_index = get(boost::vertex_index, mesh);
-  const auto face_index = get(boost::face_index, mesh);
-  Cut_components<Mesh, std::decay_t<decltype(vertex_index)>, std::decay_t<decltype(face_index)>>
-      pieces(mesh, vertex_index, face_index);
-  pieces.cut(execution, {}, [](Mesh::Halfedge_index) { return true; });
-  EXPECT_EQ(pieces.number_of_vertices(), number);
+  const Closed_triangles triangles = triangles_of(execution, mesh);
+  Cut_components pieces(triangles);
+  pieces.cut(execution, {}, [](Closed_triangles::Halfedge) { return true; });
   EXPECT_EQ(pieces.pieces(), std::vector<Index>(1, 0));
+}
+
+// ---- the list of triangles
+
+// What a model of `FaceListGraph` promises; without a boundary, on the caller's own halfedges.
+void expect_closed(const Closed_triangles& triangles) {
+  for(const Closed_triangles::Halfedge h : halfedges(triangles)) {
+    EXPECT_EQ(opposite(opposite(h, triangles), triangles), h);
+    EXPECT_EQ(source(opposite(h, triangles), triangles), target(h, triangles));
+    EXPECT_EQ(target(opposite(h, triangles), triangles), source(h, triangles));
+    EXPECT_EQ(prev(next(h, triangles), triangles), h);
+    EXPECT_EQ(face(next(h, triangles), triangles), face(h, triangles));
+  }
+  for(const Index v : vertices(triangles))
+    if(const Closed_triangles::Halfedge h = halfedge(v, triangles);
+       h != Closed_triangles::Halfedge()) {
+      EXPECT_EQ(target(h, triangles), v);
+    }
+}
+
+TEST_P(Pieces, AListOfTrianglesIsTheMeshFaceByFace) {
+  for(const Recipe& recipe : recipes_of_all_kinds({0, 1, 3}, 2)) {
+    const Mesh mesh = mesh_of(recipe);
+    const Closed_triangles triangles = triangles_of(execution, mesh);
+    expect_closed(triangles);
+    EXPECT_TRUE(triangles.boundaries().empty());
+    ASSERT_EQ(num_faces(triangles), mesh.number_of_faces());
+    for(const Mesh::Face_index f : mesh.faces()) {
+      const Mesh::Halfedge_index first = mesh.halfedge(f);
+      EXPECT_EQ(target(face_of(f), triangles), Index(mesh.target(first)));
+      EXPECT_EQ(source(face_of(f), triangles), Index(mesh.source(first)));
+    }
+  }
+}
+
+// A torus without some of its faces, which do not touch each other.
+TEST_P(Pieces, CapsCloseAListOfTriangles) {
+  Mesh mesh = mesh_of(Recipe{"torus", {4000, 1, 0}});
+  Random random(3);
+  std::set<Mesh::Vertex_index> at_holes;
+  std::size_t holes = 0;
+  for(int tries = 0; tries < 50; ++tries) {
+    const Mesh::Face_index f(static_cast<Mesh::size_type>(random.below(mesh.number_of_faces())));
+    if(mesh.is_removed(f))
+      continue;
+    std::vector<Mesh::Vertex_index> around;
+    for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      for(const auto u : vertices_around_target(v, mesh))
+        around.push_back(u);
+    if(std::any_of(around.begin(), around.end(),
+                   [&](const auto u) { return at_holes.count(u) > 0; }))
+      continue;
+    at_holes.insert(around.begin(), around.end());
+    CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+    ++holes;
+  }
+  ASSERT_GT(holes, 5u);
+  const Closed_triangles triangles = triangles_of(execution, mesh); // faces leave gaps
+  expect_closed(triangles);
+  EXPECT_EQ(num_faces(triangles), mesh.number_of_faces() + 3 * holes);
+  const auto boundaries = triangles.boundaries();
+  EXPECT_EQ(boundaries.size(), holes);
+  for(const auto& walk : boundaries) {
+    EXPECT_EQ(walk.size(), 3u);
+    for(std::size_t i = 0; i < walk.size(); ++i) {
+      EXPECT_EQ(target(walk[i], triangles), source(walk[(i + 1) % walk.size()], triangles));
+      EXPECT_FALSE(triangles.is_in_cap(walk[i]));
+      EXPECT_TRUE(triangles.is_in_cap(opposite(walk[i], triangles)));
+    }
+  }
 }
 
 } // namespace test_cut_components

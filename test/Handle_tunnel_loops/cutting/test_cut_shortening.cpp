@@ -7,6 +7,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Arc_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Boundary_tour.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Chord_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_start.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Disk_boundary.h>

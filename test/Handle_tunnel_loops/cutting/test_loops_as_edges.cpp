@@ -108,7 +108,7 @@ TEST(Walk_beside, IsTheShortestOfAll) {
     for(std::size_t choice = 0; choice < std::size_t(1) << n; ++choice)
       best = (std::min)(best, length_of_choice(places, length, choice));
     const std::vector<Index> walk =
-        shortest_walk_beside(places, [&](Index u, Index v) { return length[u][v]; });
+        places_of_shortest_walk_beside(places, [&](Index u, Index v) { return length[u][v]; });
     ASSERT_EQ(walk.size(), n);
     double sum = 0.;
     for(std::size_t i = 0; i < n; ++i) {

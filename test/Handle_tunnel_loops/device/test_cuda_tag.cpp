@@ -13,6 +13,8 @@
 #include "with.h"
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 
 #include <gtest/gtest.h>
 
@@ -246,15 +248,15 @@ TEST_P(Cuda, FindsNoReebGraphWithoutADevice) {
 namespace impl = CGAL::Handle_tunnel_loops::internal;
 
 // As those of `Cuda_tag`, with cells on meshes of any size.
-std::unique_ptr<impl::Passes> passes_with_cells(const impl::Flat_mesh& mesh,
+std::shared_ptr<impl::Passes> passes_with_cells(const impl::Flat_mesh& mesh,
                                                 std::vector<impl::Index> seeds,
                                                 const impl::Pass_options& options) {
-  return std::make_unique<impl::Field_passes<impl::device::Solver>>(
+  return std::make_shared<impl::Field_passes<impl::device::Solver>>(
       impl::Execution(), mesh, std::move(seeds), options,
       [&mesh, where = options.device] { return impl::device::make_cuda_solver(mesh, where); }, 0);
 }
 
-std::unique_ptr<impl::Passes> passes_without(const impl::Flat_mesh& mesh,
+std::shared_ptr<impl::Passes> passes_without(const impl::Flat_mesh& mesh,
                                              std::vector<impl::Index> seeds,
                                              const impl::Pass_options& options) {
   return impl::host_passes(impl::Execution(), mesh, std::move(seeds), options);

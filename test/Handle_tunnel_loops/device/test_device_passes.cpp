@@ -11,6 +11,7 @@
 #include "Host_executor.h"
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 
 #include <gtest/gtest.h>
 

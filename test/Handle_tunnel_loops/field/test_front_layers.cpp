@@ -9,6 +9,8 @@
 #include "Host_executor.h"
 #include <CGAL/Handle_tunnel_loops/internal/field/Front_layers.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <gtest/gtest.h>
 

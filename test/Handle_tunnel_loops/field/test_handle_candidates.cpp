@@ -7,6 +7,7 @@
 #include "random_input.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 namespace front_labels {
 

@@ -6,6 +6,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Processor_executor.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <algorithm>
 #include <condition_variable>

@@ -5,6 +5,9 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Way_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Handle_tunnel_loops/compare_lengths.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_flat_loops.h>
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,8 @@
 #include "generators/Random.h"
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Unit_box.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 #include <CGAL/tags.h>
 

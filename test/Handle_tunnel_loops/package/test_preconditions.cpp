@@ -1,5 +1,8 @@
 // What is asked of callers is checked where assertions are on, as they are in this file.
 
+#define CGAL_HANDLE_TUNNEL_LOOPS_IMPLEMENTATION
+#include "handle_tunnel_loops_single.hpp"
+
 #include "Changed_loops.h"
 #include "Flat_mesh_of_soup.h"
 #include "Loop_definitions.h"

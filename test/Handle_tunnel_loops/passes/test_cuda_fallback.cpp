@@ -11,6 +11,7 @@
 #include "with.h"
 
 #include <CGAL/Handle_tunnel_loops/Cuda_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/Passes_on_device.h>
 
 #include <gtest/gtest.h>
 

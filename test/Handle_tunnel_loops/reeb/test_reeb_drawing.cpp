@@ -8,6 +8,7 @@
 #include "generators/Random.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/draw_lines.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/reeb_graph.h>

@@ -9,12 +9,15 @@
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_finishing.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_sweep.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -107,8 +110,13 @@ protected:
     }
 
     Flat_reeb_graph copy = graph; // its samples are taken away
-    const auto value = [&values](Index v) { return values[v]; };
-    const Reeb_finishing<decltype(value)> finishing(execution, mesh, order, copy, value);
+    std::vector<Index> all(mesh.first_hub);
+    std::iota(all.begin(), all.end(), Index(0));
+    const Function_on_vertices function(
+        mesh,
+        boost::make_function_property_map<Index>([&values](Index v) { return double(values[v]); }),
+        all);
+    const Reeb_finishing finishing(execution, mesh, order, copy, function);
     const Arcs found_arcs = arcs_of(finishing.simplified_graph(GetParam(), threshold));
     const Arcs expected_arcs = arcs_of(graph, expected);
     ASSERT_EQ(found_arcs.size(), expected_arcs.size());

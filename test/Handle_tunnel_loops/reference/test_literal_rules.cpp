@@ -5,6 +5,7 @@
 #include "Meshes_of_soups.h"
 
 #include <CGAL/Handle_tunnel_loops/Reference_tag.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>
 #include <CGAL/iterator.h>
 

@@ -8,10 +8,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Narrow_band.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Processor_executor.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Reference_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Streamline.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <gtest/gtest.h>
 

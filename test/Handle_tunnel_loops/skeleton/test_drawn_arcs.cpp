@@ -7,6 +7,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Arc_smoothing.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <gtest/gtest.h>
 

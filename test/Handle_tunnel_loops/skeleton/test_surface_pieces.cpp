@@ -6,6 +6,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <gtest/gtest.h>
 

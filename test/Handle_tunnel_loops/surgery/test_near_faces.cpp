@@ -2,11 +2,11 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Index_table.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Cut_region.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Growing_faces.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Triangulated_polygon.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/near_pairs.h>
@@ -29,8 +29,11 @@ using impl::Index;
 using impl::Surgery_mesh;
 
 Surgery_mesh surgery_mesh_of(Mesh& mesh) {
-  impl::Mesh_link<Mesh, std::decay_t<decltype(mesh.points())>> link(mesh, mesh.points());
-  return link.read(impl::Execution(), get(CGAL::vertex_index, mesh), get(CGAL::face_index, mesh));
+  const auto face_index = get(CGAL::face_index, mesh);
+  const impl::Triangle_reader<Mesh, std::decay_t<decltype(face_index)>> reader(mesh, face_index);
+  double unit = 1.;
+  return impl::surgery_mesh_of(
+      reader.read(impl::Execution(), get(CGAL::vertex_index, mesh), mesh.points()), unit);
 }
 
 Surgery_mesh surgery_mesh_of(const char* kind, std::size_t faces, std::size_t genus) {

@@ -4,8 +4,9 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loop_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
@@ -38,9 +39,12 @@ struct Handles
 {
   Handles(const char* kind, std::size_t faces, std::size_t genus)
       : input(mesh_of({kind, {faces, genus, 0}})) {
-    impl::Mesh_link<Mesh, std::decay_t<decltype(input.points())>> link(input, input.points());
     const auto vertex_index = get(CGAL::vertex_index, input);
-    mesh = link.read(impl::Execution(), vertex_index, get(CGAL::face_index, input));
+    const auto face_index = get(CGAL::face_index, input);
+    const impl::Triangle_reader<Mesh, std::decay_t<decltype(face_index)>> reader(input, face_index);
+    double unit = 1.;
+    mesh =
+        impl::surgery_mesh_of(reader.read(impl::Execution(), vertex_index, input.points()), unit);
     Pairs pairs;
     CGAL::handle_tunnel_loops(input, std::back_inserter(pairs));
     for(const auto& pair : pairs) {
@@ -48,7 +52,7 @@ struct Handles
       tasks.back().pair = tasks.size() - 1;
       for(const auto* loop : {&pair.handle(), &pair.tunnel()})
         tasks.back().choices.push_back(impl::loop_choice(*loop, input, vertex_index));
-      tasks.back().divide_lengths(link.unit());
+      tasks.back().divide_lengths(unit);
     }
   }
 

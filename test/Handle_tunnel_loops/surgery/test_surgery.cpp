@@ -2,6 +2,7 @@
 
 #include "generators/Random.h"
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Bore_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Caps_in_vain.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Collar.h>
@@ -11,7 +12,6 @@
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Handle_surgery.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_anew.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Loops_around_vertex.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Mesh_link.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Patch.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_task.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Separation.h>
@@ -59,8 +59,11 @@ Recipe recipe(const char* kind, std::size_t faces, std::size_t genus) {
 }
 
 Surgery_mesh surgery_mesh_of(Mesh& mesh) {
-  impl::Mesh_link<Mesh, std::decay_t<decltype(mesh.points())>> link(mesh, mesh.points());
-  return link.read(impl::Execution(), get(CGAL::vertex_index, mesh), get(CGAL::face_index, mesh));
+  const auto face_index = get(CGAL::face_index, mesh);
+  const impl::Triangle_reader<Mesh, std::decay_t<decltype(face_index)>> reader(mesh, face_index);
+  double unit = 1.;
+  return impl::surgery_mesh_of(
+      reader.read(impl::Execution(), get(CGAL::vertex_index, mesh), mesh.points()), unit);
 }
 
 // A surface, and a walk beside each loop of a basis: handle and tunnel loops in turn.

@@ -17,7 +17,12 @@
 #include "app/solve/certification.h"
 #include "generators/generators.h"
 
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/certify.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Contact_search.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Face_planes.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Placed_boxes.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Triangle_contact.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/near_pairs.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/self_contact.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/triangles_apart.h>
 
@@ -47,13 +52,14 @@ bool touches_itself_by_cgal(const Soup& soup) {
 using Loop_pairs = std::vector<std::pair<const Loop*, const Loop*>>;
 
 std::vector<std::size_t> pairs_of_different_class(const Mesh& mesh, const Loop_pairs& pairs) {
-  std::vector<const Loop*> loops;
+  using namespace CGAL::Handle_tunnel_loops::internal;
+  const auto face_index = get(boost::face_index, mesh);
+  const Triangle_reader<Mesh, std::decay_t<decltype(face_index)>> reader(mesh, face_index);
+  std::vector<Listed_loop> loops;
   for(const auto& [a, b] : pairs)
-    loops.insert(loops.end(), {a, b});
-  CGAL::Handle_tunnel_loops::internal::Loop_certifier certifier(
-      mesh, get(boost::vertex_index, mesh), get(boost::face_index, mesh));
-  certifier.set_loops({}, loops);
-  return certifier.pairs_of_different_class({});
+    loops.insert(loops.end(), {reader.listed(*a), reader.listed(*b)});
+  return CGAL::Handle_tunnel_loops::internal::pairs_of_different_class(
+      {}, reader.read({}, get(boost::vertex_index, mesh), get(CGAL::vertex_point, mesh)), loops);
 }
 
 Mesh mesh_with_holes(std::size_t genus, std::size_t holes, unsigned seed) {

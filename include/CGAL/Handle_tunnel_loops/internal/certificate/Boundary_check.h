@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Closed_triangles.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/certify.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <algorithm>
@@ -23,34 +25,23 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Says in words what is wrong with boundary curves, and loops homologous to them, whoever found
-/// them.
-template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap, typename Loop>
+/// See `problems_of_boundaries()`.
 class Boundary_check
 {
-  using Certifier = Loop_certifier<TriangleMesh, VertexIndexMap, FaceIndexMap>;
+  using Loop = Closed_triangles::Loop;
   using Problems = std::vector<std::string>;
 
 public:
-  Boundary_check(Execution execution,
-                 const TriangleMesh& tm,
-                 VertexIndexMap vertex_index,
-                 FaceIndexMap face_index)
+  Boundary_check(Execution execution, const Closed_triangles& triangles)
       : execution_(execution)
-      , tm_(tm)
-      , vertex_index_(vertex_index)
-      , face_index_(face_index) {}
+      , triangles_(triangles) {}
 
-  /// the curves have to be those of the mesh, \p expected, all of them, and waists closed curves on
-  /// it that are homologous to them. Time: that of a walk over the faces, and for each waist over
-  /// the pieces into which all loops cut the surface.
-  Problems problems(const std::vector<Loop>& expected,
-                    const std::vector<Loop>& curves,
-                    const std::vector<Loop>& waists) const {
+  Problems problems(const std::vector<Loop>& curves,
+                    const std::vector<Listed_waist>& waists) const {
     Problems problems;
     std::map<Corners, std::size_t> times;
-    for(const Loop& curve : expected)
-      times.emplace(corners_of(curve), 0);
+    for(const Closed_triangles::Walk& walk : triangles_.boundaries())
+      times.emplace(corners_of(walk), 0);
     for(std::size_t i = 0; i < curves.size(); ++i) {
       const auto found = times.find(corners_of(curves[i]));
       if(found == times.end())
@@ -59,37 +50,38 @@ public:
       else if(found->second++ > 0)
         problems.push_back("boundary " + std::to_string(i) + " appears twice");
     }
-    if(curves.size() < expected.size())
+    if(curves.size() < times.size())
       problems.push_back("it lists only " + std::to_string(curves.size()) + " of the " +
-                         std::to_string(expected.size()) + " boundary curves");
+                         std::to_string(times.size()) + " boundary curves");
     return problems.empty() ? problems_of_waists(curves, waists) : problems;
   }
 
-  /// the second part of it: the number of a waist is that of its curve.
   Problems problems_of_waists(const std::vector<Loop>& curves,
-                              const std::vector<Loop>& waists) const {
+                              const std::vector<Listed_waist>& waists) const {
     Problems problems;
-    std::vector<const Loop*> pairs;
-    const auto name = [](const Loop& waist) {
-      return "boundary " + std::to_string(waist.pair_index()) + ": its waist ";
-    };
-    for(const Loop& waist : waists)
-      if(certifier_of({&waist}).are_closed_on_surface())
-        pairs.insert(pairs.end(), {&curves[waist.pair_index()], &waist});
-      else
-        problems.push_back(name(waist) + "is not a closed curve on the surface");
+    std::vector<Loop> pairs;
+    std::vector<std::string> names; // by pair
+    for(const Listed_waist& waist : waists) {
+      const std::vector<Loop> loop = triangles_.loops({waist.loop});
+      const std::string name = "boundary " + std::to_string(waist.curve) + ": its waist ";
+      if(certifier_of(loop).are_closed_on_surface()) {
+        pairs.insert(pairs.end(), {curves[waist.curve], loop.front()});
+        names.push_back(name);
+      } else
+        problems.push_back(name + "is not a closed curve on the surface");
+    }
     if(pairs.empty())
       return problems;
     for(const std::size_t i : certifier_of(pairs).pairs_of_different_class(execution_))
-      problems.push_back(name(*pairs[2 * i + 1]) + "is not homologous to the curve");
+      problems.push_back(names[i] + "is not homologous to the curve");
     return problems;
   }
 
 private:
-  using Corners = std::vector<std::size_t>;
+  using Corners = std::vector<Index>;
 
-  Certifier certifier_of(const std::vector<const Loop*>& loops) const {
-    Certifier certifier(tm_, vertex_index_, face_index_);
+  Loop_certifier certifier_of(const std::vector<Loop>& loops) const {
+    Loop_certifier certifier(triangles_, Caps::OUTSIDE);
     certifier.set_loops(execution_, loops);
     return certifier;
   }
@@ -98,11 +90,23 @@ private:
   // neighbor; none if the curve is not along edges.
   Corners corners_of(const Loop& curve) const {
     Corners corners;
-    for(const auto& step : curve.steps()) {
+    for(const Loop::Step& step : curve.steps()) {
       if(!step.is_vertex())
         return {};
-      corners.push_back(get(vertex_index_, nearest_end(step, tm_)));
+      corners.push_back(step.ratio == 1. ? target(step.halfedge, triangles_)
+                                         : source(step.halfedge, triangles_));
     }
+    return in_order(std::move(corners));
+  }
+
+  Corners corners_of(const Closed_triangles::Walk& walk) const {
+    Corners corners;
+    for(const Closed_triangles::Halfedge h : walk)
+      corners.push_back(target(h, triangles_));
+    return in_order(std::move(corners));
+  }
+
+  static Corners in_order(Corners corners) {
     if(corners.empty())
       return {};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -112,9 +116,7 @@ private:
   }
 
   Execution execution_;
-  const TriangleMesh& tm_;
-  VertexIndexMap vertex_index_;
-  FaceIndexMap face_index_;
+  const Closed_triangles& triangles_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -15,51 +15,39 @@
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
 #include <CGAL/Handle_tunnel_loops/internal/linking/Loop_linker.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Offset_classifier.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <iterator>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// Computes a `Certificate` step by step, of pairs on a closed surface: the caller's own, or one
-/// that has its caps (`Closed_surface`, `Flat_surface`), which must outlive it.
-template <typename Surface, typename Pair> class Certification
+/// Computes a `Certificate` step by step, of loops on a closed surface, handles and tunnels in
+/// turn. The surface must outlive it.
+class Certification
 {
-  using Mesh = typename Surface::Mesh;
-  using Vertex_point_map = decltype(std::declval<const Surface&>().point());
-  using Vertex_index_map = decltype(std::declval<const Surface&>().vertex_index());
-  using Face_index_map = decltype(std::declval<const Surface&>().face_index());
-  using Certifier = Loop_certifier<Mesh, Vertex_index_map, Face_index_map>;
-  using Loop = typename Pair::Loop;
+  using Halfedge = Closed_triangles::Halfedge;
+  using Loop = Closed_triangles::Loop;
 
 public:
-  explicit Certification(const Surface& surface, Basis_kind kind = Basis_kind::PURE)
-      : surface_(surface)
-      , certifier_(surface.mesh(), surface.vertex_index(), surface.face_index()) {
+  explicit Certification(const Closed_triangles& triangles, Basis_kind kind = Basis_kind::PURE)
+      : triangles_(triangles)
+      , certifier_(triangles) {
     certificate_.basis_kind = kind;
   }
 
-  /// takes the pairs, which must stay where they are, and checks that the loops are closed and lie
-  /// on the surface. What follows is for such loops only.
-  template <typename PairRange> bool are_closed(Execution execution, const PairRange& pairs) {
+  /// takes the loops, and checks that they are closed and lie on the surface. What follows is for
+  /// such loops only.
+  bool are_closed(Execution execution, std::vector<Loop> loops) {
     CGAL_precondition(loops_.empty());
-    for(const Pair& pair : pairs)
-      loops_.insert(loops_.end(), {&pair.handle(), &pair.tunnel()});
+    loops_ = std::move(loops);
     certifier_.set_loops(execution, loops_);
     certificate_.closed_on_surface = certifier_.are_closed_on_surface();
     return certificate_.closed_on_surface;
@@ -80,11 +68,15 @@ public:
   /// linking numbers as well. After `check_basis()`.
   void relate(Execution execution, bool do_link) {
     CGAL_precondition(certificate_.closed_on_surface);
-    Loop_linker<Mesh, Loop, Vertex_point_map, Vertex_index_map> linker(
-        surface_.mesh(), surface_.point(), surface_.vertex_index());
-    linker.set_boundaries(surface_.boundaries());
+    Loop_linker<Closed_triangles, Loop, Closed_triangles::Point_map,
+                Closed_triangles::Vertex_index_map>
+        linker(triangles_, triangles_.point(), {});
+    linker.set_boundaries(triangles_.boundaries());
+    std::vector<const Loop*> loops;
+    for(const Loop& loop : loops_)
+      loops.push_back(&loop);
     linker.set_loops(
-        execution, loops_, [this](const auto& f) { return certifier_.component(f); },
+        execution, std::move(loops), [this](Halfedge f) { return certifier_.component(f); },
         certifier_.number_of_components());
     if(do_link)
       linker.link(execution);
@@ -115,6 +107,9 @@ public:
         insideness(certificate_.linking[2 * k]) - insideness(certificate_.linking[2 * k + 1]);
     return difference > 0 ? 1 : difference < 0 ? -1 : 0;
   }
+
+  /// the loops that were taken.
+  const std::vector<Loop>& loops() const { return loops_; }
 
   /// 1 if the faces along the loops of a pair look out of the solid, -1 if they look into it.
   int outward_of_pair(std::size_t k) const { return relations_.outward[2 * k] < 0 ? -1 : 1; }
@@ -228,114 +223,14 @@ private:
     }
   }
 
-  const Surface& surface_;
+  const Closed_triangles& triangles_;
   Certificate certificate_;
-  Certifier certifier_;
+  Loop_certifier certifier_;
   Loop_relations relations_;
   bool are_related_ = false;
-  std::vector<const Loop*> loops_;
+  std::vector<Loop> loops_;
 };
-
-/// the whole of it, but for names.
-template <typename Surface, typename PairRange>
-Certificate certify(Execution execution,
-                    const Surface& surface,
-                    Basis_kind kind,
-                    const PairRange& pairs,
-                    bool do_link) {
-  using Pair = typename std::iterator_traits<typename PairRange::const_iterator>::value_type;
-  Certification<Surface, Pair> certification(surface, kind);
-  if(certification.are_closed(execution, pairs)) {
-    certification.check_basis(execution);
-    if(certification.are_as_many_as_asked_for())
-      certification.relate(execution, do_link);
-  }
-  return certification.finish();
-}
-
-/// A certificate that has named the loops of pairs.
-struct Naming
-{
-  Certificate certificate;
-  std::vector<char> is_exchanged; ///< by pair, if its first loop is the tunnel
-};
-
-/// certifies pairs of which the relations are known, and tells handles from tunnels: by their
-/// linking numbers, or by their growth along the normals where these do not tell (paper, 4.5), at
-/// the given offset if it is not 0.
-template <typename Surface, typename Pair>
-Naming certify_and_name(Execution execution,
-                        const Surface& surface,
-                        Basis_kind kind,
-                        double offset,
-                        const std::vector<Pair>& pairs,
-                        Loop_relations relations,
-                        Progress& progress) {
-  Naming naming = {{}, std::vector<char>(pairs.size(), 0)};
-  Certification<Surface, Pair> certification(surface, kind);
-  bool are_closed = false;
-  progress.run(Stage::CERTIFICATE, [&] {
-    are_closed = certification.are_closed(execution, pairs);
-    if(are_closed)
-      certification.check_basis(execution);
-  });
-  progress.run(Stage::CLASSIFY, [&] {
-    if(are_closed) {
-      certification.relate(std::move(relations));
-      const Offset_classifier<typename Surface::Mesh, decltype(surface.point())> classifier(
-          surface.mesh(), surface.point(), offset);
-      for_each_index(
-          execution, pairs.size(),
-          [&](std::size_t k) {
-            int handle = certification.handle_of_pair(k);
-            if(handle == 0)
-              handle = certification.outward_of_pair(k) *
-                       classifier.compare_growth(pairs[k].handle(), pairs[k].tunnel());
-            naming.is_exchanged[k] = handle < 0;
-          },
-          1);
-      certification.exchange(naming.is_exchanged);
-    }
-    naming.certificate = certification.finish();
-  });
-  return naming;
-}
-
-// For surfaces with their caps.
-CGAL_HTL_CORE Certificate certify_flat(Execution execution,
-                                       const Flat_surface& surface,
-                                       Basis_kind kind,
-                                       const std::vector<Flat_surface::Pair>& pairs,
-                                       bool do_link);
-CGAL_HTL_CORE Naming certify_and_name_flat(Execution execution,
-                                           const Flat_surface& surface,
-                                           Basis_kind kind,
-                                           double offset,
-                                           const std::vector<Flat_surface::Pair>& pairs,
-                                           Loop_relations relations,
-                                           Progress& progress);
-
-/// whether all steps of the loops that are anywhere are on halfedges of the mesh.
-template <typename TriangleMesh, typename PairRange>
-bool are_loops_of(const TriangleMesh& tm, const PairRange& pairs) {
-  const auto range = halfedges(tm);
-  const std::set<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> all(range.begin(),
-                                                                                      range.end());
-  const auto is_loop = [&](const auto& loop) {
-    return std::all_of(loop.steps().begin(), loop.steps().end(), [&](const auto& step) {
-      return step.halfedge == boost::graph_traits<TriangleMesh>::null_halfedge() ||
-             all.count(step.halfedge) != 0;
-    });
-  };
-  return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
-    return is_loop(pair.handle()) && is_loop(pair.tunnel());
-  });
-}
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_CERTIFICATION_H

@@ -12,8 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Loop_certifier.h>
-
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -64,7 +62,9 @@ public:
   template <typename Loop> Walk walk_beside(const Loop& loop) const {
     Walk walk;
     for(const auto& step : loop.steps())
-      if(const vertex_descriptor v = nearest_end(step, tm_); walk.empty() || walk.back() != v)
+      if(const vertex_descriptor v =
+             step.ratio == 1. ? target(step.halfedge, tm_) : source(step.halfedge, tm_);
+         walk.empty() || walk.back() != v)
         walk.push_back(v);
     while(walk.size() > 1 && walk.back() == walk.front())
       walk.pop_back();

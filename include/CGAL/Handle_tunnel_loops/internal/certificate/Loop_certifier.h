@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Closed_triangles.h>
 #include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -20,52 +21,49 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <mutex>
 #include <string>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// The pieces into which a triangle mesh falls when it is cut along some of its edges: sets of
-/// faces, one of which is the outside where the mesh has a boundary. Almost linear in the size of
-/// the mesh.
-template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
+/// Whether the caps of a surface are faces as all others, or all of them are one: the outside.
+enum class Caps { FACES, OUTSIDE };
+
+/// The pieces into which a surface falls when it is cut along some of its edges: sets of faces, one
+/// of which may be the outside. Almost linear in the size of the mesh.
 class Cut_components
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Halfedge = Closed_triangles::Halfedge;
 
 public:
-  Cut_components(const TriangleMesh& tm, VertexIndexMap vertex_index, FaceIndexMap face_index)
-      : tm_(tm)
-      , vertex_index_(vertex_index)
-      , face_index_(face_index) {}
+  explicit Cut_components(const Closed_triangles& triangles, Caps caps = Caps::FACES)
+      : triangles_(triangles)
+      , caps_(caps)
+      , outside_(static_cast<Index>(num_faces(triangles))) {}
 
-  /// \p ends are indices of vertices, and among them those at which cuts end; `is_cut(h)` tells
-  /// whether the edge of a halfedge between two of them is cut. It is called once for each of these
-  /// edges, with the halfedge to the larger index.
+  /// \p ends are vertices, and among them those at which cuts end; `is_cut(h)` tells whether the
+  /// edge of a halfedge between two of them is cut. It is called once for each of these edges, with
+  /// the halfedge to the larger vertex.
   template <typename IsCut>
   void cut(Execution execution, const std::vector<Index>& ends, const IsCut& is_cut) {
-    measure_vertices(execution);
+    is_end_.assign(num_vertices(triangles_), 0);
     for(Index i : ends) {
       CGAL_precondition(i < is_end_.size());
       is_end_[i] = 1;
     }
-    insert_faces(execution);
+    sets_ = Concurrent_disjoint_sets(execution, std::size_t(outside_) + 1);
+    for_each_index(execution, outside_,
+                   [this](std::size_t f) { sets_.insert(number({3 * static_cast<Index>(f)})); });
+    sets_.insert(outside_);
     // In the order of memory.
-    parts_of(halfedges(tm_)).for_each(execution, [&](halfedge_descriptor h) {
-      const Index u = index(source(h, tm_)), v = index(target(h, tm_));
+    parts_of(halfedges(triangles_)).for_each(execution, [&](Halfedge h) {
+      const Index u = source(h, triangles_), v = target(h, triangles_);
       if(v < u || (is_end_[u] && is_end_[v] && is_cut(h)))
         return;
-      sets_.unite(index(face(h, tm_)), index(face(opposite(h, tm_), tm_)));
+      sets_.unite(number(face(h, triangles_)), number(face(opposite(h, triangles_), triangles_)));
     });
     pieces_ = sets_.flatten(execution);
     if(pieces_.back() == outside_)
@@ -73,8 +71,8 @@ public:
     CGAL_expensive_postcondition(std::is_sorted(pieces_.begin(), pieces_.end()));
   }
 
-  /// the number of the piece of a face or, of the null face, the outside; any number.
-  Index piece(face_descriptor f) const { return sets_.label(index(f)); }
+  /// the number of the piece of a face, or of the outside; any number.
+  Index piece(Halfedge f) const { return sets_.label(number(f)); }
 
   /// the numbers of all pieces of the surface, in ascending order.
   const std::vector<Index>& pieces() const { return pieces_; }
@@ -85,73 +83,18 @@ public:
                   [&](Index piece) { return piece == outside_ ? piece : number(piece); });
   }
 
-  /// without isolated ones.
-  std::size_t number_of_vertices() const { return number_of_vertices_; }
-
-  std::size_t number_of_faces() const { return number_of_faces_; }
-
 private:
-  Index index(vertex_descriptor v) const { return static_cast<Index>(get(vertex_index_, v)); }
-  Index index(face_descriptor f) const {
-    return f == Graph_traits::null_face() ? outside_ : static_cast<Index>(get(face_index_, f));
+  Index number(Halfedge f) const {
+    return caps_ == Caps::OUTSIDE && triangles_.is_in_cap(f) ? outside_ : f.number / 3;
   }
 
-  // What is found of a part of the vertices or the faces. Indices may leave gaps.
-  struct Extent
-  {
-    std::size_t number = 0, bound = 0;
-  };
-
-  template <typename Parts, typename Counts>
-  Extent extent(Execution execution, const Parts& all, const Counts& counts) const {
-    Extent sum;
-    std::mutex mutex;
-    all.for_each_part(execution, [&](std::size_t, auto begin, auto end) {
-      Extent e;
-      for(; begin != end; ++begin) {
-        e.bound = (std::max)(e.bound, std::size_t(index(*begin)) + 1);
-        e.number += counts(*begin) ? 1 : 0;
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      sum.number += e.number;
-      sum.bound = (std::max)(sum.bound, e.bound);
-    });
-    return sum;
-  }
-
-  void measure_vertices(Execution execution) {
-    const Extent all = extent(execution, parts_of(vertices(tm_)), [this](vertex_descriptor v) {
-      return halfedge(v, tm_) != Graph_traits::null_halfedge();
-    });
-    number_of_vertices_ = all.number;
-    is_end_.assign(all.bound, 0);
-  }
-
-  void insert_faces(Execution execution) {
-    const auto all = parts_of(faces(tm_));
-    number_of_faces_ = all.size();
-    outside_ =
-        static_cast<Index>(extent(execution, all, [](face_descriptor) { return true; }).bound);
-    sets_ = Concurrent_disjoint_sets(execution, std::size_t(outside_) + 1);
-    all.for_each(execution, [this](face_descriptor f) { sets_.insert(index(f)); });
-    sets_.insert(outside_);
-  }
-
-  const TriangleMesh& tm_;
-  VertexIndexMap vertex_index_;
-  FaceIndexMap face_index_;
-  std::size_t number_of_vertices_ = 0, number_of_faces_ = 0;
+  const Closed_triangles& triangles_;
+  Caps caps_;
+  Index outside_;                 // beyond all faces
   std::vector<char> is_end_;      // by vertex
   Concurrent_disjoint_sets sets_; // of faces
   std::vector<Index> pieces_;     // the roots of the sets
-  Index outside_ = no_index;      // beyond all faces
 };
-
-/// the end of its edge that a step is at; if it is at neither, the source.
-template <typename Step, typename TriangleMesh>
-auto nearest_end(const Step& step, const TriangleMesh& tm) {
-  return step.ratio == 1. ? target(step.halfedge, tm) : source(step.halfedge, tm);
-}
 
 /*!
 Decides whether loops on a closed triangle mesh are closed curves on it and a basis of its first
@@ -164,34 +107,30 @@ isomorphism). H1 is generated by the closed dual curves that cross one edge outs
 tree of the dual graph. The tree is made to cross edges of no loop wherever it can, so that almost
 all of these curves meet no loop at all, and the vectors of the others are short.
 */
-template <typename TriangleMesh, typename VertexIndexMap, typename FaceIndexMap>
 class Loop_certifier
 {
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;
+  using Halfedge = Closed_triangles::Halfedge;
+  using Loop = Closed_triangles::Loop;
+  using Step = Loop::Step;
 
 public:
-  Loop_certifier(const TriangleMesh& tm, VertexIndexMap vertex_index, FaceIndexMap face_index)
-      : tm_(tm)
-      , vertex_index_(vertex_index)
-      , pieces_(tm, vertex_index, face_index) {}
+  explicit Loop_certifier(const Closed_triangles& triangles, Caps caps = Caps::FACES)
+      : triangles_(triangles)
+      , pieces_(triangles, caps) {}
 
-  /// takes pointers to loops, ranges of steps with members `halfedge` and `ratio`.
-  template <typename Loop>
-  void set_loops(Execution execution, const std::vector<const Loop*>& loops) {
+  void set_loops(Execution execution, const std::vector<Loop>& loops) {
     number_of_loops_ = loops.size();
     std::vector<Moved_loop> moved(loops.size());
     for_each_index(
         execution, loops.size(),
         [&](std::size_t i) {
-          check(*loops[i], i, moved[i].failures);
+          check(loops[i], i, moved[i].failures);
           if(moved[i].failures.empty())
-            move_onto_edges(*loops[i], i, moved[i].chain);
+            move_onto_edges(loops[i], i, moved[i].chain);
         },
         1);
     for(const Moved_loop& m : moved) {
+      reasons_not_closed_.push_back(m.failures.empty() ? std::string() : m.failures.front());
       failures_.insert(failures_.end(), m.failures.begin(), m.failures.end());
       chains_.insert(chains_.end(), m.chain.begin(), m.chain.end());
     }
@@ -200,6 +139,9 @@ public:
 
   bool are_closed_on_surface() const { return are_closed_; }
 
+  /// by loop, the first of what failed, if anything did.
+  const std::vector<std::string>& reasons_not_closed() const { return reasons_not_closed_; }
+
   /// in words, what failed.
   const std::vector<std::string>& failures() const { return failures_; }
 
@@ -207,25 +149,26 @@ public:
   void cut(Execution execution) {
     cut_to_pieces(execution);
     number_components(execution);
+    find_genus();
   }
 
   std::size_t number_of_components() const { return number_of_components_; }
 
   /// the number of the component of a face.
-  std::size_t component(face_descriptor f) const {
+  std::size_t component(Halfedge f) const {
     return number_of_components_ == 1 ? 0 : pieces_.piece(f);
   }
 
   /// whether there are as many loops as a basis has; after `cut()`.
   bool are_as_many_as_asked_for() const {
     CGAL_precondition_msg(number_of_components_ > 0 || number_of_loops_ == 0, "after `cut()`");
-    return number_of_loops_ == 2 * genus();
+    return number_of_loops_ == 2 * genus_;
   }
 
   bool are_basis() {
     if(!are_as_many_as_asked_for())
       return fail("there are " + std::to_string(number_of_loops_) + " loops instead of " +
-                  std::to_string(2 * genus()));
+                  std::to_string(2 * genus_));
     const std::vector<std::string> reasons = why_no_basis(number_of_loops_, chains_, used_edges_);
     failures_.insert(failures_.end(), reasons.begin(), reasons.end());
     return reasons.empty();
@@ -252,10 +195,6 @@ private:
     std::vector<std::string> failures;
   };
 
-  std::uint32_t index(vertex_descriptor v) const {
-    return static_cast<std::uint32_t>(get(vertex_index_, v));
-  }
-
   bool fail(const std::string& message) {
     failures_.push_back(message);
     return false;
@@ -263,7 +202,6 @@ private:
 
   // ---- closed, and on the surface
 
-  template <typename Loop>
   void check(const Loop& loop, std::size_t number, std::vector<std::string>& failures) const {
     const auto& steps = loop.steps();
     const auto fails_at = [&](std::size_t i, const char* problem) {
@@ -273,7 +211,7 @@ private:
       failures.push_back(name_of_loop(number) + " has fewer than two steps");
     for(std::size_t i = 0; i < steps.size(); ++i) {
       const auto &a = steps[i], &b = steps[i + 1 == steps.size() ? 0 : i + 1];
-      if(a.halfedge == Graph_traits::null_halfedge() || b.halfedge == Graph_traits::null_halfedge())
+      if(a.halfedge == Halfedge() || b.halfedge == Halfedge())
         fails_at(i, "this step or the next does not lie on an edge");
       else if(!(a.ratio >= 0. && a.ratio <= 1.))
         fails_at(i, "the ratio is not in [0, 1]");
@@ -282,22 +220,26 @@ private:
     }
   }
 
-  template <typename Step> bool lies_on(const Step& step, face_descriptor f) const {
+  // The end of its edge that a step is at; if it is at neither, the source.
+  Index nearest_end(const Step& step) const {
+    return step.ratio == 1. ? target(step.halfedge, triangles_) : source(step.halfedge, triangles_);
+  }
+
+  bool lies_on(const Step& step, Halfedge f) const {
     if(!step.is_vertex())
-      return face(step.halfedge, tm_) == f || face(opposite(step.halfedge, tm_), tm_) == f;
-    for(halfedge_descriptor h : halfedges_around_face(halfedge(f, tm_), tm_))
-      if(target(h, tm_) == nearest_end(step, tm_))
+      return face(step.halfedge, triangles_) == f ||
+             face(opposite(step.halfedge, triangles_), triangles_) == f;
+    for(Halfedge h : halfedges_around_face(halfedge(f, triangles_), triangles_))
+      if(target(h, triangles_) == nearest_end(step))
         return true;
     return false;
   }
 
-  template <typename Step> bool have_common_face(const Step& a, const Step& b) const {
-    const auto meets = [&](halfedge_descriptor h) {
-      return !is_border(h, tm_) && lies_on(b, face(h, tm_));
-    };
+  bool have_common_face(const Step& a, const Step& b) const {
+    const auto meets = [&](Halfedge h) { return lies_on(b, face(h, triangles_)); };
     if(!a.is_vertex())
-      return meets(a.halfedge) || meets(opposite(a.halfedge, tm_));
-    for(halfedge_descriptor h : halfedges_around_target(nearest_end(a, tm_), tm_))
+      return meets(a.halfedge) || meets(opposite(a.halfedge, triangles_));
+    for(Halfedge h : halfedges_around_target(nearest_end(a), triangles_))
       if(meets(h))
         return true;
     return false;
@@ -306,15 +248,14 @@ private:
   // ---- the loops as chains of edges
 
   // Two places on a face move to two of its corners, which are equal or joined by an edge.
-  template <typename Loop>
   void
   move_onto_edges(const Loop& loop, std::size_t number, std::vector<Chain_entry>& chain) const {
     const auto& steps = loop.steps();
     if(steps.empty())
       return;
-    std::uint32_t u = index(nearest_end(steps.back(), tm_));
+    std::uint32_t u = nearest_end(steps.back());
     for(const auto& step : steps) {
-      const std::uint32_t v = index(nearest_end(step, tm_));
+      const std::uint32_t v = nearest_end(step);
       if(u != v)
         chain.push_back({edge_key(u, v), static_cast<std::uint32_t>(number), u < v ? 1 : -1});
       u = v;
@@ -346,9 +287,9 @@ private:
     for(const Used_edge& e : used_edges_)
       for(const std::uint64_t v : {e.edge >> 32, e.edge & 0xffffffffu})
         ends.push_back(static_cast<Index>(v));
-    std::vector<halfedge_descriptor> halfedges(used_edges_.size());
-    pieces_.cut(execution, ends, [&](halfedge_descriptor h) {
-      const std::size_t e = find_used_edge(edge_key(index(source(h, tm_)), index(target(h, tm_))));
+    std::vector<Halfedge> halfedges(used_edges_.size());
+    pieces_.cut(execution, ends, [&](Halfedge h) {
+      const std::size_t e = find_used_edge(edge_key(source(h, triangles_), target(h, triangles_)));
       if(e == halfedges.size())
         return false;
       halfedges[e] = h;
@@ -356,9 +297,9 @@ private:
     });
     for_each_index(execution, used_edges_.size(), [&](std::size_t i) {
       Used_edge& e = used_edges_[i];
-      CGAL_assertion_msg(halfedges[i] != Graph_traits::null_halfedge(), "a step is along no edge");
-      e.left = pieces_.piece(face(halfedges[i], tm_));
-      e.right = pieces_.piece(face(opposite(halfedges[i], tm_), tm_));
+      CGAL_assertion_msg(halfedges[i] != Halfedge(), "a step is along no edge");
+      e.left = pieces_.piece(face(halfedges[i], triangles_));
+      e.right = pieces_.piece(face(opposite(halfedges[i], triangles_), triangles_));
     });
   }
 
@@ -386,24 +327,26 @@ private:
       pieces_.renumber(execution, [&](Index piece) { return number[position(piece)]; });
   }
 
-  // V - E + F = 2 c - 2 g, with 2 E = 3 F.
-  std::size_t genus() const {
-    CGAL_assertion(pieces_.number_of_faces() % 2 == 0);
-    CGAL_assertion(pieces_.number_of_vertices() % 2 == pieces_.number_of_faces() / 2 % 2);
-    return (2 * number_of_components_ + pieces_.number_of_faces() / 2 -
-            pieces_.number_of_vertices()) /
-           2;
+  // V - E + F = 2 c - 2 g, with 2 E = 3 F. Vertices without faces do not count.
+  void find_genus() {
+    const auto all = vertices(triangles_);
+    const std::size_t number_of_faces = num_faces(triangles_),
+                      number_of_vertices = std::count_if(all.begin(), all.end(), [&](Index v) {
+                        return halfedge(v, triangles_) != Halfedge();
+                      });
+    CGAL_assertion(number_of_faces % 2 == 0);
+    CGAL_assertion(number_of_vertices % 2 == number_of_faces / 2 % 2);
+    genus_ = (2 * number_of_components_ + number_of_faces / 2 - number_of_vertices) / 2;
   }
 
-  const TriangleMesh& tm_;
-  VertexIndexMap vertex_index_;
-  Cut_components<TriangleMesh, VertexIndexMap, FaceIndexMap> pieces_;
+  const Closed_triangles& triangles_;
+  Cut_components pieces_;
   std::vector<Chain_entry> chains_;
   std::vector<Used_edge> used_edges_;
-  std::size_t number_of_components_ = 0;
+  std::size_t number_of_components_ = 0, genus_ = 0;
   std::size_t number_of_loops_ = 0;
   bool are_closed_ = true;
-  std::vector<std::string> failures_;
+  std::vector<std::string> failures_, reasons_not_closed_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

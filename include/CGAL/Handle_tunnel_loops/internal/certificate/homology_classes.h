@@ -49,32 +49,26 @@ inline std::string name_of_loop(std::size_t loop) {
 }
 
 /// adds up the entries of one loop on one edge, and lists the edges that remain, sorted.
-CGAL_HTL_CORE std::vector<Used_edge> add_up_chains(Execution execution,
-                                                   std::vector<Chain_entry>& chains);
+std::vector<Used_edge> add_up_chains(Execution execution, std::vector<Chain_entry>& chains);
 
 /// keeps one of the edges along which the same loops run between the same pieces: all that is
 /// asked for is the same. In the order of the number of loops.
-CGAL_HTL_CORE void keep_distinct_edges(Execution execution,
-                                       const std::vector<Chain_entry>& chains,
-                                       std::vector<Used_edge>& edges);
+void keep_distinct_edges(Execution execution,
+                         const std::vector<Chain_entry>& chains,
+                         std::vector<Used_edge>& edges);
 
 /// the numbers of those loops that do not bound, in ascending order: a loop bounds if it meets all
 /// closed dual curves as often from the left as from the right.
-CGAL_HTL_CORE std::vector<std::size_t>
-loops_that_do_not_bound(std::size_t number_of_loops,
-                        const std::vector<Chain_entry>& chains,
-                        const std::vector<Used_edge>& edges);
+std::vector<std::size_t> loops_that_do_not_bound(std::size_t number_of_loops,
+                                                 const std::vector<Chain_entry>& chains,
+                                                 const std::vector<Used_edge>& edges);
 
 /// in words, why loops are no basis, as many as there should be; nothing if they are one. See
 /// `Loop_certifier`.
-CGAL_HTL_CORE std::vector<std::string> why_no_basis(std::size_t number_of_loops,
-                                                    const std::vector<Chain_entry>& chains,
-                                                    const std::vector<Used_edge>& edges);
+std::vector<std::string> why_no_basis(std::size_t number_of_loops,
+                                      const std::vector<Chain_entry>& chains,
+                                      const std::vector<Used_edge>& edges);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/certificate/homology_classes_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_CERTIFICATE_HOMOLOGY_CLASSES_H

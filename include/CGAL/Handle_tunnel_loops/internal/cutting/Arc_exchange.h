@@ -13,10 +13,12 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Chord_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Disk_boundary.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
-#include <CGAL/Handle_tunnel_loops/internal/cutting/Walk_improvement.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -126,7 +126,7 @@ public:
 
   template <typename Loop> void add_loop(const Loop& loop) {
     std::vector<Index> walk = shortest_walk_beside(
-        loop, tm_, [this](vertex_descriptor v) { return index_of(v); },
+        ends_beside(loop, tm_, [this](vertex_descriptor v) { return index_of(v); }),
         [this](Index u, Index v) { return problem_.mesh.edge_length(u, v); });
     if(walk.size() > 1)
       problem_.walks.push_back(std::move(walk));

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Arc_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Boundary_tour.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Disk_boundary.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>

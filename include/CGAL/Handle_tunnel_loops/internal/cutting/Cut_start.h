@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/cutting/Cut_problem.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/surface_components.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>

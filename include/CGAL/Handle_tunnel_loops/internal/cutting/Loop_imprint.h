@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>

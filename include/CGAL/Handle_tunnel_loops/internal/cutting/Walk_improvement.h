@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/cutting/shortest_walk_beside.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -22,7 +22,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -31,78 +30,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// The ends of an edge on which a loop has a place; twice the same where that is a vertex.
-using Edge_ends = std::array<Index, 2>;
-
-/// the length of the shortest of the walks of `shortest_walk_beside()` that pass the given end of
-/// the first place, and the walk.
-template <typename Length>
-std::pair<double, std::vector<Index>> shortest_walk_from_end(const std::vector<Edge_ends>& places,
-                                                             const Length& length,
-                                                             std::size_t first) {
-  const auto cost = [&](Index u, Index v) { return u == v ? 0. : length(u, v); };
-  const double infinite = (std::numeric_limits<double>::max)();
-  std::array<double, 2> sum = {infinite, infinite};
-  sum[first] = 0.;
-  std::vector<std::array<unsigned char, 2>> previous(places.size() + 1);
-  for(std::size_t i = 1; i <= places.size(); ++i) {
-    const Edge_ends &from = places[i - 1], &to = places[i == places.size() ? 0 : i];
-    std::array<double, 2> next;
-    for(int b : {0, 1}) {
-      const double by_0 = sum[0] + cost(from[0], to[b]), by_1 = sum[1] + cost(from[1], to[b]);
-      previous[i][b] = by_1 < by_0;
-      next[b] = by_1 < by_0 ? by_1 : by_0;
-    }
-    sum = next;
-  }
-  std::vector<Index> walk(places.size());
-  std::size_t end = first;
-  for(std::size_t i = places.size(); i > 0; --i) {
-    end = previous[i][end];
-    walk[i - 1] = places[i - 1][end];
-  }
-  return {sum[first], std::move(walk)};
-}
-
-/*!
-Finds the shortest closed walk among those that pass, for each place of a loop in order, one end of
-its edge. Two places on a face move to two of its corners, which are equal or joined by an edge: so
-each of these walks is homotopic to the loop. Which end is the better one depends on the ends taken
-before and after it: a dynamic program over the two ends, once for each end of the first place.
-
-`length(u, v)` is the length of the edge between two vertices. Returns the vertices of the walk, a
-place each: those of consecutive places may be the same.
-*/
-template <typename Length>
-std::vector<Index> shortest_walk_beside(const std::vector<Edge_ends>& places,
-                                        const Length& length) {
-  if(places.empty())
-    return {};
-  auto best = shortest_walk_from_end(places, length, 0);
-  if(places.front()[0] != places.front()[1]) {
-    auto other = shortest_walk_from_end(places, length, 1);
-    if(other.first < best.first)
-      best = std::move(other);
-  }
-  return std::move(best.second);
-}
-
-/// the same for a loop on a mesh, whose vertices have the numbers `number(v)`, and without spurs.
-template <typename Loop, typename TriangleMesh, typename Number, typename Length>
-std::vector<Index> shortest_walk_beside(const Loop& loop,
-                                        const TriangleMesh& tm,
-                                        const Number& number,
-                                        const Length& length) {
-  std::vector<Edge_ends> places;
-  for(const auto& step : loop.steps()) {
-    const Index u = number(source(step.halfedge, tm)), v = number(target(step.halfedge, tm));
-    places.push_back({step.ratio == 1. ? v : u, step.ratio == 0. ? u : v});
-  }
-  std::vector<Index> walk = shortest_walk_beside(places, length);
-  remove_spurs(walk);
-  return walk;
-}
 
 /*!
 Makes a closed walk of halfedges shorter, and simpler, in its homotopy class. There is one kind of
@@ -278,7 +205,7 @@ auto halfedges_of_loop(const Loop& loop, const TriangleMesh& tm, VertexPointMap 
     return norm(coordinates(point, v) - coordinates(point, u));
   };
   const std::vector<Index> walk = shortest_walk_beside(
-      loop, tm, number, [&](Index u, Index v) { return distance(ends[u], ends[v]); });
+      ends_beside(loop, tm, number), [&](Index u, Index v) { return distance(ends[u], ends[v]); });
   std::vector<halfedge_descriptor> halfedges;
   for(std::size_t i = 0; i < walk.size() && walk.size() > 1; ++i) {
     const auto [h, is_edge] = halfedge(ends[walk[i]], ends[walk[(i + 1) % walk.size()]], tm);

@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/cell_kernels.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <algorithm>
 #include <chrono>

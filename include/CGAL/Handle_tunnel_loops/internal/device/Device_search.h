@@ -19,6 +19,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/walk_kernels.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <algorithm>
 #include <cstddef>

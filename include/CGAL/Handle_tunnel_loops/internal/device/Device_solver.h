@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_initial_pass.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Device_search.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Front_layers.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 
 #include <algorithm>
 #include <vector>

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/Solver.h>
+#include <CGAL/Handle_tunnel_loops/internal/device/device_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Field_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Host_backend.h>
 
@@ -23,38 +24,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-namespace device {
-
-/// has a thread start the device, which takes a process some tenths of a second the first time.
-/// What fails is for the solver to tell.
-inline std::future<void> start_device(Device_options options) {
-  try {
-    if(options.device < 0) // that of this thread, not of the other
-      options.device = current_cuda_device();
-    return std::async(std::launch::async, [options] {
-      try {
-        start_cuda_device(options);
-      } catch(const Device_exception&) {
-      }
-    });
-  } catch(const Device_exception&) {
-  } catch(const std::system_error&) { // there is no thread to be had
-  }
-  return {};
-}
-
-} // namespace device
 
 /// On a device as long as there is one that does it, else on the processor. What fails on the
 /// device begins anew on the processor, and so does all that comes later; what the device has found
@@ -194,58 +171,15 @@ namespace device {
 /// sent to it, and cells have to be sent back.
 constexpr std::size_t least_vertices_for_cells = 400000;
 
-/// The passes with fields on a CUDA device; see `Passes_of_tag`.
-struct Passes_on_device
-{
-  static constexpr bool may_coarsen = true;
-
-  static std::future<void> head_start(const Device_options& options, std::size_t) {
-    return start_device(options);
-  }
-
-  static std::unique_ptr<Passes>
-  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    return std::make_unique<Field_passes<Solver>>(
-        execution_of<Threads_if_available_tag>(), mesh, std::move(seeds), options,
-        [&mesh, where = options.device] { return make_cuda_solver(mesh, where); },
-        least_vertices_for_cells);
-  }
-};
-
-/// The same where there is a device and the mesh is worth starting it.
-struct Passes_if_there_is_a_device
-{
-  static constexpr bool may_coarsen = true;
-
-  static std::future<void> head_start(const Device_options& options,
-                                      std::size_t number_of_vertices) {
-    return number_of_vertices < options.least_vertices ? std::future<void>()
-                                                       : start_device(options);
-  }
-
-  static std::unique_ptr<Passes>
-  make(const Flat_mesh& mesh, std::vector<Index> seeds, const Pass_options& options) {
-    const Execution execution = execution_of<Threads_if_available_tag>();
-    return std::make_unique<Field_passes<Fallback_backend>>(
-        execution, mesh, std::move(seeds), options,
-        [execution, &mesh, where = options.device] {
-          return std::make_unique<Fallback_backend>(execution, mesh,
-                                                    [&] { return solver(mesh, where); });
-        },
-        // It is started for the fields, which are on a coarse mesh: see `head_start()`.
-        (std::max)(least_vertices_for_cells, vertices_of_cell * options.device.least_vertices));
-  }
-
-private:
-  static std::unique_ptr<Solver> solver(const Flat_mesh& mesh, const Device_options& options) {
-    const std::size_t n = mesh.number_of_vertices();
-    if(n < options.least_vertices)
-      throw No_device_exception("a mesh of " + std::to_string(n) +
-                                " vertices is too small for a device: at least " +
-                                std::to_string(options.least_vertices) + " are required");
-    return make_cuda_solver(mesh, options);
-  }
-};
+inline std::unique_ptr<Solver> solver_if_worth_it(const Flat_mesh& mesh,
+                                                  const Device_options& options) {
+  const std::size_t n = mesh.number_of_vertices();
+  if(n < options.least_vertices)
+    throw No_device_exception("a mesh of " + std::to_string(n) +
+                              " vertices is too small for a device: at least " +
+                              std::to_string(options.least_vertices) + " are required");
+  return make_cuda_solver(mesh, options);
+}
 
 } // namespace device
 

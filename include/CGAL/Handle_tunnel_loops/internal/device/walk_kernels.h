@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/device/domains.h>
 #include <CGAL/Handle_tunnel_loops/internal/device/field_kernels.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <tuple>

@@ -13,9 +13,12 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Swept_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>
@@ -351,13 +354,6 @@ struct Front_log
 {
   std::vector<Front_event> events; ///< in the order of arrival
   std::vector<Index> layer;        ///< by vertex; where a front ends, that of the front, or of one
-};
-
-/// What a sweep tells of each vertex; empty where nobody asks.
-struct Swept_vertices
-{
-  std::vector<Index> layers; ///< from 1, see `Front_log`
-  std::vector<double> times; ///< in steps of the field
 };
 
 inline std::vector<double> times_in_steps(const std::vector<Time>& times) {

@@ -16,6 +16,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Front_history.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Saddle_contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <vector>
 

@@ -15,6 +15,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/execution_steps.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 
 #include <algorithm>
 #include <vector>

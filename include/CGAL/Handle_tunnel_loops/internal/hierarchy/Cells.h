@@ -14,7 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <cstddef>

@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_ring.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 
 #include <algorithm>
 #include <cstddef>

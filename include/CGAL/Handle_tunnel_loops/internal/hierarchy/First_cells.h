@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_ring.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Cell_view.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <cstddef>

@@ -17,7 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Sorted_boxes.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -38,9 +38,17 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
+/// the corners of a triangle, counterclockwise.
+template <typename Face, typename Mesh>
+std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3> corners(const Face& f,
+                                                                             const Mesh& mesh) {
+  const auto h = halfedge(f, mesh);
+  return {target(h, mesh), target(next(h, mesh), mesh), source(h, mesh)};
+}
+
 /// the signs of the volumes that components enclose, exactly. `for_each_triangle(f)` calls
 /// `f(component, triangle)` for all of their triangles.
-CGAL_HTL_CORE std::vector<int> signs_of_volumes(
+std::vector<int> signs_of_volumes(
     std::size_t number_of_components,
     const std::function<void(const std::function<void(std::size_t, const Triangle&)>&)>&
         for_each_triangle);
@@ -50,7 +58,7 @@ enum class Seen_triangle { NOWHERE, ABOVE, HERE, BELOW };
 
 /// says it exactly, from the point half way between a and b. It is moved aside by an infinitesimal
 /// amount, so that it lies above no edge.
-CGAL_HTL_CORE Seen_triangle see_triangle(const Triangle& t, const Vector& a, const Vector& b);
+Seen_triangle see_triangle(const Triangle& t, const Vector& a, const Vector& b);
 
 /// the same from a point.
 inline Seen_triangle see_triangle(const Triangle& t, const Vector& point) {
@@ -310,9 +318,5 @@ private:
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_COMPONENT_ORIENTATION_H

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>

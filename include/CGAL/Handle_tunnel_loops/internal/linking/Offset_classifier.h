@@ -15,6 +15,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Edge_walker.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <CGAL/assertions.h>
@@ -46,12 +47,12 @@ struct Loop_with_faces
 };
 
 /// see `Offset_classifier`.
-CGAL_HTL_CORE double growth_of(const Loop_with_faces& loop);
-CGAL_HTL_CORE int compare_growth_of(const Loop_with_faces& a, const Loop_with_faces& b);
+double growth_of(const Loop_with_faces& loop);
+int compare_growth_of(const Loop_with_faces& a, const Loop_with_faces& b);
 
 /// the length of a loop whose points are moved by the given way along their normals, rounded; it
 /// stays where there are none.
-CGAL_HTL_CORE double length_at_offset(const Loop_with_faces& loop, double offset);
+double length_at_offset(const Loop_with_faces& loop, double offset);
 
 /*!
 Tells handle loops from tunnel loops by the change of their length when they are moved outwards
@@ -200,9 +201,5 @@ private:
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_OFFSET_CLASSIFIER_H

@@ -17,6 +17,8 @@
 #include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
@@ -129,7 +131,7 @@ inline std::array<double, 2> prepare_view(std::vector<Vector>& points) {
 /// The key of an edge of a walk, and the place of that edge in the sequence of all walks.
 using Edge_position = std::pair<std::uint64_t, std::size_t>;
 
-CGAL_HTL_CORE void sort_positions(Execution execution, std::vector<Edge_position>& positions);
+void sort_positions(Execution execution, std::vector<Edge_position>& positions);
 
 /// Turns closed walks on the edges of a mesh into `Surface_curves`. Linear in their length, but for
 /// a sort of their edges and an array of numbers of the vertices of the mesh.
@@ -425,9 +427,5 @@ private:
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_SURFACE_CURVES_BUILDER_H

@@ -19,12 +19,8 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the intersection numbers of loops, and with \p do_link all the rest.
-CGAL_HTL_CORE Linking link(Execution execution, const Surface_curves& curves, bool do_link);
+Linking link(Execution execution, const Surface_curves& curves, bool do_link);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/linking/link_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_LINKING_LINK_H

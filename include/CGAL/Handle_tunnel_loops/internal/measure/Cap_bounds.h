@@ -19,6 +19,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/measure/Room_in_caps.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/Widest_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

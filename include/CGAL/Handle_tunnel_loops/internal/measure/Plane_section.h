@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/measure/Clearance.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 

@@ -14,8 +14,10 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/measure/Ball_network.h>
 #include <CGAL/Handle_tunnel_loops/internal/measure/insertion_order.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/rounded_rational.h>
 

@@ -50,15 +50,11 @@ using Polyline_pair = std::array<std::vector<Vector>, 2>;
 
 /// measures the handles of a surface: \p places are those of its vertices, hubs included, \p pairs
 /// a basis of loops.
-CGAL_HTL_CORE Flat_measures measure_handles(Execution execution,
-                                            const Flat_mesh& mesh,
-                                            const std::vector<Vector>& places,
-                                            const std::vector<Polyline_pair>& pairs);
+Flat_measures measure_handles(Execution execution,
+                              const Flat_mesh& mesh,
+                              const std::vector<Vector>& places,
+                              const std::vector<Polyline_pair>& pairs);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/measure/measure_handles_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MEASURE_MEASURE_HANDLES_H

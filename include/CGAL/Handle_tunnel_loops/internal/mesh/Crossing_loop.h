@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 
 #include <cstddef>
@@ -19,22 +20,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// A loop passes an edge, with one end of it to the left and the other to the right. The place is
-/// `left + ratio * (right - left)`; a loop that goes through a vertex passes the edges on one side
-/// of it at ratio 0 or 1. The place is geometry; the class of the loop rests on the ends alone.
-/// Edges to hubs of caps are passed at their other end, whatever the ratio says.
-struct Crossing
-{
-  Index left;
-  Index right;
-  double ratio;
-};
-
-/// A closed curve as the cyclic sequence of the edges it passes. Consecutive edges belong to one
-/// triangle, hence share an end: the left ends are a closed walk on the edges that is homotopic to
-/// the loop, and so are the right ends.
-using Crossing_loop = std::vector<Crossing>;
 
 /// the vertex ahead of a crossing, opposite to the edge.
 inline Index apex_ahead(const Flat_mesh& mesh, const Crossing& c) {
@@ -239,12 +224,6 @@ inline Crossing_loop loop_along(const Flat_mesh& mesh, std::vector<Index> walk) 
   remove_spurs(walk);
   return walk.size() < 3 ? Crossing_loop() : pushed_left(mesh, walk);
 }
-
-/// A pair of loops in the terms of the flat mesh.
-struct Flat_pair
-{
-  Crossing_loop handle, tunnel;
-};
 
 /// The end of a crossing that lies on one side of its loop.
 using Crossing_end = Index Crossing::*;

@@ -29,43 +29,8 @@
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// What relates loops and certifies them needs a closed surface: here the caller's own.
-template <typename TriangleMesh,
-          typename VertexPointMap,
-          typename VertexIndexMap,
-          typename FaceIndexMap>
-class Closed_surface
-{
-public:
-  using Mesh = TriangleMesh;
-  using Walk = std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>;
-
-  Closed_surface(const Mesh& tm,
-                 VertexPointMap point,
-                 VertexIndexMap vertex_index,
-                 FaceIndexMap face_index)
-      : tm_(tm)
-      , point_(point)
-      , vertex_index_(vertex_index)
-      , face_index_(face_index) {}
-
-  const Mesh& mesh() const { return tm_; }
-  VertexPointMap point() const { return point_; }
-  VertexIndexMap vertex_index() const { return vertex_index_; }
-  FaceIndexMap face_index() const { return face_index_; }
-
-  /// the boundary curves, of which the mesh has the caps as well, with the surface to their left.
-  std::vector<Walk> boundaries() const { return {}; }
-
-private:
-  const Mesh& tm_;
-  VertexPointMap point_;
-  VertexIndexMap vertex_index_;
-  FaceIndexMap face_index_;
-};
-
-/// The same of arrays, with the coordinates of the caller as doubles: of any surface, with the caps
-/// of one with boundary.
+/// A surface as arrays, with the caps of one with boundary, for what relates loops: that needs a
+/// closed one. The coordinates are those of the caller as doubles.
 class Flat_surface
 {
   using Identity = boost::typed_identity_property_map<Index>;
@@ -104,7 +69,7 @@ public:
   };
   Face_index_map face_index() const { return {&graph_.mesh()}; }
 
-  /// see `Closed_surface`.
+  /// the boundary curves, of which the mesh has the caps as well, with the surface to their left.
   std::vector<Walk> boundaries() const {
     std::vector<Walk> boundaries;
     const Flat_mesh& mesh = graph_.mesh();
@@ -137,31 +102,6 @@ public:
     for(const Flat_pair& pair : found)
       pairs.emplace_back(convert(pair.handle, Loop_type::HANDLE, pairs.size()),
                          convert(pair.tunnel, Loop_type::TUNNEL, pairs.size()));
-    return pairs;
-  }
-
-  /// pairs on the mesh of the caller, of which these arrays were made.
-  template <typename TriangleMesh, typename VertexIndexMap, typename PairRange>
-  std::vector<Pair>
-  pairs(const TriangleMesh& tm, VertexIndexMap index_of_caller, const PairRange& given) const {
-    const auto& original = graph_.mesh().original;
-    std::vector<Index> flat_index(1 + *std::max_element(original.begin(), original.end()));
-    for(Index v = 0; v < original.size(); ++v)
-      flat_index[original[v]] = v;
-    const auto loop = [&](const auto& l) {
-      std::vector<Loop::Step> steps;
-      for(const auto& step : l.steps())
-        if(step.halfedge == boost::graph_traits<TriangleMesh>::null_halfedge())
-          steps.push_back({{}, step.ratio});
-        else
-          steps.push_back({graph_.find(flat_index[get(index_of_caller, source(step.halfedge, tm))],
-                                       flat_index[get(index_of_caller, target(step.halfedge, tm))]),
-                           step.ratio});
-      return Loop(std::move(steps), {}, l.length(), l.type(), l.pair_index());
-    };
-    std::vector<Pair> pairs;
-    for(const auto& pair : given)
-      pairs.emplace_back(loop(pair.handle()), loop(pair.tunnel()));
     return pairs;
   }
 

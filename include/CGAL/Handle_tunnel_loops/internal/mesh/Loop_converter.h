@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/halfedge_near.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 

@@ -14,12 +14,12 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh_builder.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Loop_converter.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -67,9 +67,9 @@ template <typename TriangleMesh, typename VertexPointMap> struct Prepared_surfac
   }
 
   /// the coordinates of the vertices, rounded to doubles if they are none.
-  std::vector<Flat_surface::Point> coordinates(Execution execution) const {
+  std::vector<Simple_cartesian<double>::Point_3> coordinates(Execution execution) const {
     using FT = typename Kernel_traits<Point>::Kernel::FT;
-    std::vector<Flat_surface::Point> points(vertices.size());
+    std::vector<Simple_cartesian<double>::Point_3> points(vertices.size());
     // Exact numbers may share what they are computed from, and know nothing of threads.
     for_each_index(std::is_floating_point<FT>::value ? execution : Execution(), points.size(),
                    [&](std::size_t i) {

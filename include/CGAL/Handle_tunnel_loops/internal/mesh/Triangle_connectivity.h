@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -30,9 +31,9 @@ public:
 
   /// \p corners are those of one face after the other, each less than the number of vertices.
   /// Throws `Invalid_mesh_exception`. Near linear in the size of the mesh.
-  CGAL_HTL_CORE Triangle_connectivity(Execution execution,
-                                      std::size_t number_of_vertices,
-                                      Uninitialized_vector<Index> corners);
+  Triangle_connectivity(Execution execution,
+                        std::size_t number_of_vertices,
+                        Uninitialized_vector<Index> corners);
 
   std::size_t number_of_vertices() const { return arriving_.size(); }
   std::size_t number_of_faces() const { return number_of_corners_ / 3; }
@@ -78,17 +79,16 @@ private:
 
   static Index next_in_face(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
-  CGAL_HTL_CORE void check_corners(Execution execution) const;
-  CGAL_HTL_CORE void find_opposites(Execution execution);
-  CGAL_HTL_CORE Entries sort_by_near_vertex(Execution execution,
-                                            Uninitialized_vector<Index>& end) const;
-  CGAL_HTL_CORE bool is_edge(Edge edge) const;
-  [[noreturn]] CGAL_HTL_CORE void throw_defect(Index near_vertex, Edge edge) const;
-  CGAL_HTL_CORE void find_arriving();
-  CGAL_HTL_CORE void add_borders(const std::vector<Index>& inner);
-  CGAL_HTL_CORE void check_fans(Execution execution) const;
-  CGAL_HTL_CORE Index size_of_fan(Index v) const;
-  [[noreturn]] CGAL_HTL_CORE static void throw_fan_defect(Index v);
+  void check_corners(Execution execution) const;
+  void find_opposites(Execution execution);
+  Entries sort_by_near_vertex(Execution execution, Uninitialized_vector<Index>& end) const;
+  bool is_edge(Edge edge) const;
+  [[noreturn]] void throw_defect(Index near_vertex, Edge edge) const;
+  void find_arriving();
+  void add_borders(const std::vector<Index>& inner);
+  void check_fans(Execution execution) const;
+  Index size_of_fan(Index v) const;
+  [[noreturn]] static void throw_fan_defect(Index v);
 
   std::size_t number_of_corners_ = 0;
   Uninitialized_vector<Index> source_;   // first the corners
@@ -98,9 +98,5 @@ private:
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Triangle_connectivity_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_TRIANGLE_CONNECTIVITY_H

@@ -13,9 +13,8 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/coordinates.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -34,14 +33,6 @@ struct Edge_place
   double ratio;
 };
 
-inline std::vector<Edge_place> edge_places(const Flat_mesh& mesh, const Crossing_loop& loop) {
-  std::vector<Edge_place> places;
-  places.reserve(loop.size());
-  for(const Crossing& c : loop)
-    places.push_back({mesh.points[c.left], mesh.points[c.right], ratio_on_surface(mesh, c)});
-  return places;
-}
-
 template <typename TriangleMesh, typename Point, typename NamedParameters>
 std::vector<Edge_place> edge_places(const TriangleMesh& tm,
                                     const Loop_on_surface<TriangleMesh, Point>& loop,
@@ -58,28 +49,12 @@ std::vector<Edge_place> edge_places(const TriangleMesh& tm,
 }
 
 /// compares the lengths of two closed polylines through such points, exactly.
-CGAL_HTL_CORE Comparison_result compare_lengths(const std::vector<Edge_place>& a,
-                                                const std::vector<Edge_place>& b);
+Comparison_result compare_lengths(const std::vector<Edge_place>& a,
+                                  const std::vector<Edge_place>& b);
 
 /// the ends of an interval that holds the length of a closed polyline through such points.
-CGAL_HTL_CORE std::pair<double, double> length_interval(const std::vector<Edge_place>& places);
-
-/// compares the lengths of two loops, exactly.
-inline Comparison_result
-compare_lengths(const Flat_mesh& mesh, const Crossing_loop& a, const Crossing_loop& b) {
-  return compare_lengths(edge_places(mesh, a), edge_places(mesh, b));
-}
-
-/// whether loop a is shorter than loop b, exactly: for the choice between finished loops. Where
-/// many are looked at on the way to these, `length()` is enough.
-inline bool is_shorter(const Flat_mesh& mesh, const Crossing_loop& a, const Crossing_loop& b) {
-  return compare_lengths(mesh, a, b) == SMALLER;
-}
+std::pair<double, double> length_interval(const std::vector<Edge_place>& places);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_MESH_COMPARE_LENGTHS_H

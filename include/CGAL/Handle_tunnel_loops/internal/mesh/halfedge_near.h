@@ -16,8 +16,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
-
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// the halfedge from `u` to `v`, or a null one. Those on the faces at `h`, if it is not null, are
@@ -43,14 +41,6 @@ halfedge_near(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
     }
   const auto found = halfedge(u, v, mesh);
   return found.second ? found.first : null;
-}
-
-/// the corners of a triangle, counterclockwise.
-template <typename Face, typename Mesh>
-std::array<typename boost::graph_traits<Mesh>::vertex_descriptor, 3> corners(const Face& f,
-                                                                             const Mesh& mesh) {
-  const auto h = halfedge(f, mesh);
-  return {target(h, mesh), target(next(h, mesh), mesh), source(h, mesh)};
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -14,11 +14,6 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
-
-#include <CGAL/boost/graph/helpers.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <atomic>
 #include <string>
@@ -65,29 +60,6 @@ inline void check_size(std::size_t number_of_triangles, std::size_t number_of_ve
   if(number_of_vertices >= no_index / 2)
     throw Invalid_mesh_exception(Mesh_defect::TOO_LARGE, {}, "the mesh has too many vertices");
   check_number_of_halfedges(3 * number_of_triangles);
-}
-
-/// throws `Invalid_mesh_exception`, naming an edge, unless all faces are triangles. Returns whether
-/// every edge has faces on both sides.
-template <typename TriangleMesh, typename VertexIndexMap>
-bool is_closed_after_check(Execution execution, const TriangleMesh& tm, VertexIndexMap index) {
-  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  const auto is_good = [&](Halfedge h) { return next(next(next(h, tm), tm), tm) == h; };
-  std::atomic<bool> are_good{true}, is_closed{true};
-  parts_of(halfedges(tm)).for_each(execution, [&](Halfedge h) {
-    if(is_border(h, tm))
-      is_closed = false;
-    else if(!is_good(h))
-      are_good = false;
-  });
-  for(Halfedge h : halfedges(tm)) {
-    if(are_good)
-      break;
-    if(!is_border(h, tm) && !is_good(h))
-      throw_edge_defect(Mesh_defect::NOT_TRIANGULATED, get(index, source(h, tm)),
-                        get(index, target(h, tm)), "a face at an edge is not a triangle");
-  }
-  return is_closed;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

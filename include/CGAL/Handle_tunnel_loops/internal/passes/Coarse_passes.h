@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh_builder.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Dual_loop_improvement.h>
@@ -209,7 +210,7 @@ private:
   Make_passes make_;
   std::unique_ptr<Coarse_mesh_builder> builder_; // after the initial pass
   std::shared_ptr<Coarse_mesh> coarse_;          // if there is one
-  std::unique_ptr<Passes> passes_,
+  std::shared_ptr<Passes> passes_,
       fine_passes_; // on the coarse mesh, if it is good, and on the mesh
   std::vector<Crossing_loop> handles_, tunnels_; // lifted
 };

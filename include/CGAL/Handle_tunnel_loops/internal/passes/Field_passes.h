@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/handle_candidates.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_flat_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Basis_exchange.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
@@ -23,6 +23,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Gauss_reduction.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Loop_tightening.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>

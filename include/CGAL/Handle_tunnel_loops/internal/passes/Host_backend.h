@@ -20,8 +20,11 @@
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Parallel_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Dual_walks.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 

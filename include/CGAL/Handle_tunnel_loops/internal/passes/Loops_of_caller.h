@@ -13,10 +13,12 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Prepared_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
 #include <memory>
@@ -31,14 +33,15 @@ template <typename Pair> struct Loops_of_caller : Caller_mesh
   std::vector<Pair> pairs;
 };
 
-/// What is done with them there. They are certified on the mesh of the caller if it is closed, on
-/// the arrays with their caps if not.
+/// What is done with them there.
 ///
 /// \tparam Surface a `Prepared_surface`
 template <typename Surface, typename VertexIndexMap, typename FaceIndexMap, typename GeomTraits>
 class Loops_on_mesh final
     : public Loops_of_caller<Handle_tunnel_pair<typename Surface::Mesh, typename Surface::Point>>
 {
+  using Reader = Triangle_reader<typename Surface::Mesh, FaceIndexMap>;
+
 public:
   using Pair = Handle_tunnel_pair<typename Surface::Mesh, typename Surface::Point>;
 
@@ -51,7 +54,7 @@ public:
       , face_index_(face_index)
       , traits_(traits) {}
 
-  std::vector<Flat_surface::Point> coordinates(Execution execution) const override {
+  std::vector<Simple_cartesian<double>::Point_3> coordinates(Execution execution) const override {
     return surface_->coordinates(execution);
   }
 
@@ -67,28 +70,18 @@ public:
         1);
   }
 
-  Certificate certify(Execution execution,
-                      const Flat_surface& flat_surface,
-                      const Class_options& wanted,
-                      Loop_relations relations,
-                      Progress& progress) override {
-    Naming naming;
-    if(surface_->mesh.number_of_hubs == 0)
-      naming = certify_and_name(
-          execution, Closed_surface(surface_->tm, surface_->point, vertex_index_, face_index_),
-          wanted.kind, wanted.offset, pairs, std::move(relations), progress);
-    else
-      naming = certify_and_name_flat(execution, flat_surface, wanted.kind, wanted.offset,
-                                     flat_surface.pairs(surface_->tm, vertex_index_, pairs),
-                                     std::move(relations), progress);
-    for(std::size_t k = 0; k < pairs.size(); ++k)
-      if(naming.is_exchanged[k])
-        pairs[k] = pairs[k].exchanged();
-    return naming.certificate;
+  Triangle_list triangles(Execution execution, bool with_points) const override {
+    return reader().read(execution, vertex_index_, surface_->point, with_points);
   }
+
+  std::vector<Listed_loop> listed_loops() const override { return reader().loops_of(pairs); }
+
+  void exchange(std::size_t k) override { pairs[k] = pairs[k].exchanged(); }
 
 private:
   using Loops_of_caller<Pair>::pairs;
+
+  Reader reader() const { return Reader(surface_->tm, face_index_); }
 
   std::shared_ptr<const Surface> surface_;
   VertexIndexMap vertex_index_;

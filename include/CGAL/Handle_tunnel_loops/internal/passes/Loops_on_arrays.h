@@ -12,16 +12,16 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/certificate/Certification.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/find_loops.h>
-#include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,10 +43,10 @@ public:
                                      const std::function<bool(double)>& callback = {}) {
     request.seeds = mesh.seeds;
     request.put_swept_vertices = [](const Swept_vertices&) {};
-    const auto nothing = [](Stage) {};
     Statistics statistics;
-    Progress progress(callback, nothing, nothing, statistics, Progress::stages_of_loops());
-    find_loops(execution, mesh, request, *this, progress, statistics);
+    mesh_ = &mesh;
+    surface_.emplace(mesh, coordinates_);
+    find_loops(execution, mesh, request, *this, Listeners{callback}, statistics);
     return pairs_;
   }
 
@@ -57,22 +57,28 @@ private:
 
   void convert(Execution, const std::vector<Flat_pair>& pairs) override { pairs_ = pairs; }
 
-  Certificate certify(Execution execution,
-                      const Flat_surface& surface,
-                      const Class_options& wanted,
-                      Loop_relations relations,
-                      Progress& progress) override {
-    const Naming naming =
-        certify_and_name_flat(execution, surface, wanted.kind, wanted.offset, surface.pairs(pairs_),
-                              std::move(relations), progress);
-    for(std::size_t k = 0; k < pairs_.size(); ++k)
-      if(naming.is_exchanged[k])
-        std::swap(pairs_[k].handle, pairs_[k].tunnel);
-    return naming.certificate;
+  Triangle_list triangles(Execution execution, bool with_points) const override {
+    Triangle_list list =
+        reader().read(execution, surface_->vertex_index(), surface_->point(), with_points);
+    if(mesh_->number_of_hubs > 0)
+      list.first_hub = mesh_->original[mesh_->first_hub];
+    return list;
+  }
+
+  std::vector<Listed_loop> listed_loops() const override {
+    return reader().loops_of(surface_->pairs(pairs_));
+  }
+
+  void exchange(std::size_t k) override { std::swap(pairs_[k].handle, pairs_[k].tunnel); }
+
+  Triangle_reader<Flat_graph, Flat_surface::Face_index_map> reader() const {
+    return {surface_->mesh(), surface_->face_index()};
   }
 
   std::vector<Flat_surface::Point> coordinates_;
   std::vector<Flat_pair> pairs_;
+  const Flat_mesh* mesh_ = nullptr;
+  std::optional<Flat_surface> surface_;
 };
 
 } // namespace CGAL::Handle_tunnel_loops::internal

@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/Contours.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/Coarse_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/hierarchy/First_cells.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/backend.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Progress.h>
 #include <CGAL/Handle_tunnel_loops/stages.h>
 
@@ -25,22 +25,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// What the passes are to do, whoever does them.
-struct Pass_options : Solver_options
-{
-  bool do_keep_layers = false; ///< of the vertices, in the initial pass
-  bool do_keep_times = false;
-  bool is_coarse = false; ///< the mesh, whose lengths are not those of the fine one
-
-  /// All searches of the tunnel pass, or of the refinement, together may take as long as so many
-  /// fields over the mesh.
-  static constexpr std::uint32_t fields_of_tunnels = 16;
-  std::uint32_t fields_of_refinement = 16;
-
-  /// whether more is asked for than loops, so that the initial pass is run without handles, too.
-  bool asks_for_fronts() const { return do_log_fronts || do_keep_layers || do_keep_times; }
-};
 
 /// The passes of a method (paper, section 4), which `run_passes()` calls in their order, each once,
 /// and its diffusion: `Field_passes`, or those of the reference. This is the seam between the order
@@ -86,11 +70,6 @@ public:
     return nullptr;
   }
 };
-
-/// makes passes on a mesh, from seeds, one in each component.
-using Make_passes = std::unique_ptr<Passes> (*)(const Flat_mesh& mesh,
-                                                std::vector<Index> seeds,
-                                                const Pass_options& options);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Parallel_paths.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Shortest_paths.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>

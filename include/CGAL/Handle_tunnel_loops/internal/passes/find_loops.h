@@ -14,11 +14,19 @@
 
 #include <CGAL/Handle_tunnel_loops/Certificate_record.h>
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
-#include <CGAL/Handle_tunnel_loops/internal/homology/find_right_classes.h>
-#include <CGAL/Handle_tunnel_loops/internal/linking/Surface_curves.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_surface.h>
-#include <CGAL/Handle_tunnel_loops/internal/passes/run_passes.h>
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
+#include <CGAL/Handle_tunnel_loops/internal/field/Swept_vertices.h>
+#include <CGAL/Handle_tunnel_loops/internal/homology/Class_options.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/passes/backend.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
+#include <CGAL/Handle_tunnel_loops/stages.h>
 
+#include <CGAL/Simple_cartesian.h>
+
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -49,25 +57,36 @@ loop_request(const Solver_options& options, bool wants_layers = false, bool want
   return request;
 }
 
-/// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it, and
-/// certifies them there. See `Loops_of_caller`.
+/// The mesh of a caller, for what knows no type of mesh: it holds pairs of loops on it. See
+/// `Loops_of_caller`.
 class Caller_mesh
 {
 public:
   virtual ~Caller_mesh() = default;
 
   /// the coordinates of the vertices but for the hubs.
-  virtual std::vector<Flat_surface::Point> coordinates(Execution execution) const = 0;
+  virtual std::vector<Simple_cartesian<double>::Point_3> coordinates(Execution execution) const = 0;
 
   /// takes pairs.
   virtual void convert(Execution execution, const std::vector<Flat_pair>& pairs) = 0;
 
-  /// certifies and names them, see `certify_and_name()`.
-  virtual Certificate certify(Execution execution,
-                              const Flat_surface& surface,
-                              const Class_options& wanted,
-                              Loop_relations relations,
-                              Progress& progress) = 0;
+  /// reads the mesh anew, for the certificate.
+  virtual Triangle_list triangles(Execution execution, bool with_points) const = 0;
+
+  /// the loops of the pairs as they are on the mesh, handles and tunnels in turn.
+  virtual std::vector<Listed_loop> listed_loops() const = 0;
+
+  /// changes which loop of a pair is the handle and which the tunnel.
+  virtual void exchange(std::size_t pair) = 0;
+};
+
+class Progress;
+
+/// Who is told how far a computation has come. The callback returns whether to go on.
+struct Listeners
+{
+  std::function<bool(double)> callback;
+  std::function<void(Stage)> start_stage = [](Stage) {}, end_stage = [](Stage) {};
 };
 
 /// One computation: the passes, the right classes, the caller's own loops, their certificate and
@@ -75,17 +94,29 @@ public:
 ///
 /// \throws Uncertified_loops_exception, Interrupted_exception, std::invalid_argument, and what the
 ///   passes throw
-CGAL_HTL_CORE Certificate find_loops(Execution execution,
-                                     const Flat_mesh& mesh,
-                                     const Loop_request& request,
-                                     Caller_mesh& caller,
-                                     Progress& progress,
-                                     Statistics& statistics);
+Certificate find_loops(Execution execution,
+                       const Flat_mesh& mesh,
+                       const Loop_request& request,
+                       Caller_mesh& caller,
+                       Progress& progress,
+                       Statistics& statistics);
+
+Certificate find_loops(Execution execution,
+                       const Flat_mesh& mesh,
+                       const Loop_request& request,
+                       Caller_mesh& caller,
+                       const Listeners& listeners,
+                       Statistics& statistics);
+
+/// pairs of loops as they are found on the arrays, for what goes on there. The seeds of the request
+/// are those of the mesh, and nothing is asked of it but pairs. \p coordinates are those of the
+/// vertices but for the hubs.
+std::vector<Flat_pair> loops_on_arrays(Execution execution,
+                                       const Flat_mesh& mesh,
+                                       std::vector<Simple_cartesian<double>::Point_3> coordinates,
+                                       Loop_request request,
+                                       const std::function<bool(double)>& callback = {});
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/passes/find_loops_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PASSES_FIND_LOOPS_H

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Skeleton_cycles.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Solid_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 

@@ -24,6 +24,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/append_lines.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Face_tree.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 

@@ -35,12 +35,11 @@ using Point_name = std::function<std::string(Index)>;
 
 /// places the hubs of the caps, of which only the vertices before them have places yet
 /// (`Hub_places`).
-CGAL_HTL_CORE void
-place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& places);
+void place_hubs(Execution execution, const Flat_mesh& mesh, std::vector<Vector>& places);
 
 /// lets the components that bound the same piece of the solid be one, that of its outer surface
 /// (`Solid_pieces`). Returns which components are taken alone, and why, in lines of text.
-CGAL_HTL_CORE std::string
+std::string
 join_components_of_solids(Execution execution, Flat_mesh& mesh, const std::vector<Vector>& places);
 
 /// proves what there is to prove of a skeleton. \p places are the coordinates of the vertices as
@@ -51,30 +50,26 @@ join_components_of_solids(Execution execution, Flat_mesh& mesh, const std::vecto
 /// That the surface does not cross or touch itself is not looked at. Points are called by their
 /// numbers, or by \p point_name if that is something. \p do_caps_meet is told whether the caps meet
 /// anything, so that there is no inside whatever the skeleton.
-CGAL_HTL_CORE Skeleton_certificate certify_skeleton(Execution execution,
-                                                    const Flat_mesh& mesh,
-                                                    const std::vector<Vector>& places,
-                                                    const Flat_skeleton& skeleton,
-                                                    const std::vector<std::vector<Index>>& loops,
-                                                    const Face_number& face_number,
-                                                    const Point_name& point_name = {},
-                                                    bool* do_caps_meet = nullptr);
+Skeleton_certificate certify_skeleton(Execution execution,
+                                      const Flat_mesh& mesh,
+                                      const std::vector<Vector>& places,
+                                      const Flat_skeleton& skeleton,
+                                      const std::vector<std::vector<Index>>& loops,
+                                      const Face_number& face_number,
+                                      const Point_name& point_name = {},
+                                      bool* do_caps_meet = nullptr);
 
 /// finds out which points of a skeleton are inlets and what component each part belongs to, if
 /// these arrays are empty.
-CGAL_HTL_CORE void find_places(Execution execution,
-                               const Flat_mesh& mesh,
-                               const std::vector<Vector>& places,
-                               Flat_skeleton& skeleton);
+void find_places(Execution execution,
+                 const Flat_mesh& mesh,
+                 const std::vector<Vector>& places,
+                 Flat_skeleton& skeleton);
 
 /// takes back what means nothing on a surface that crosses or touches itself, or does so \p
 /// with_caps that close its boundary curves.
-CGAL_HTL_CORE void note_self_contact(Skeleton_certificate& certificate, bool with_caps = false);
+void note_self_contact(Skeleton_certificate& certificate, bool with_caps = false);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_PROOF_CERTIFY_SKELETON_H

@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Reeb_graph.h>
-#include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_finishing.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/find_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -44,14 +44,16 @@ public:
       , vertices_(vertices)
       , origin_(coordinates(0) - mesh.in_units_of_caller(mesh.points[0])) {}
 
-  /// \p value gives the value of the function at a vertex. Of `flat` no more is kept in memory than
+  /// Of `flat` no more is kept in memory than
   /// is still to be turned.
-  template <typename Graph, typename Value>
-  void
-  convert(Execution execution, Embedded_reeb_graph&& flat, const Value& value, Graph& graph) const {
+  template <typename Graph>
+  void convert(Execution execution,
+               Embedded_reeb_graph&& flat,
+               const Function_on_vertices& function,
+               Graph& graph) const {
     graph = Graph(flat.nodes.size());
     for(std::size_t i = 0; i < flat.nodes.size(); ++i)
-      convert(flat.nodes[i], value, graph[i]);
+      convert(flat.nodes[i], function, graph[i]);
     std::vector<typename boost::edge_bundle_type<Graph>::type*> arcs;
     arcs.reserve(flat.arcs.size());
     for(const Embedded_reeb_graph::Arc& arc : flat.arcs)
@@ -81,13 +83,15 @@ private:
       arc.vertices.push_back(vertices_[v]);
   }
 
-  template <typename Value, typename Node>
-  void convert(const Flat_reeb_graph::Node& flat, const Value& value, Node& node) const {
+  template <typename Node>
+  void convert(const Flat_reeb_graph::Node& flat,
+               const Function_on_vertices& function,
+               Node& node) const {
     constexpr Reeb_node_type types[] = {Reeb_node_type::MINIMUM, Reeb_node_type::SADDLE,
                                         Reeb_node_type::MAXIMUM, Reeb_node_type::REGULAR};
     node.vertex = vertices_[flat.vertex];
     node.type = types[static_cast<int>(flat.kind)];
-    node.value = value(flat.vertex);
+    node.value = function.value(flat.vertex);
     const bool is_extremum = flat.kind == Node_kind::MINIMUM || flat.kind == Node_kind::MAXIMUM;
     node.point = is_extremum ? Point(get(point_, node.vertex)) : place(flat.position);
   }

@@ -33,20 +33,20 @@
 namespace CGAL::Handle_tunnel_loops::internal {
 
 /// From a swept graph to one that is handed out: simplified, contracted, embedded, and with the
-/// vertices of its arcs. `Value` gives the value of the function at a vertex.
-template <typename Value> class Reeb_finishing
+/// vertices of its arcs.
+class Reeb_finishing
 {
 public:
   Reeb_finishing(Execution execution,
                  const Flat_mesh& mesh,
                  const Sweep_order& order,
                  Flat_reeb_graph& graph,
-                 const Value& value)
+                 const Function_on_vertices& function)
       : execution_(execution)
       , mesh_(mesh)
       , order_(order)
       , graph_(graph)
-      , value_(value)
+      , function_(function)
       , embedding_(graph) {}
 
   Embedded_reeb_graph run(Reeb_measure measure, double threshold, double shortest_arc) const {
@@ -149,8 +149,8 @@ private:
     extents.reserve(Reeb_simplification::largest_number_of_paths(graph_));
     extents.resize(graph_.arcs.size());
     for_each_index(execution_, extents.size(), [&](std::size_t a) {
-      extents[a].low = value_(graph_.nodes[graph_.arcs[a].lower].vertex);
-      extents[a].high = value_(graph_.nodes[graph_.arcs[a].upper].vertex);
+      extents[a].low = function_.value(graph_.nodes[graph_.arcs[a].lower].vertex);
+      extents[a].high = function_.value(graph_.nodes[graph_.arcs[a].upper].vertex);
       embedding_.measure(static_cast<Index>(a), extents[a]);
     });
     for(Index v = 0; v < order_.vertices().size(); ++v) // holes come last
@@ -181,14 +181,14 @@ private:
     std::vector<Arc_extent> extents(number);
     std::vector<Bounds> boxes(number);
     for(std::size_t c = 0; c < number; ++c) {
-      extents[c].low = extents[c].high = value_(mesh_.seeds[c]);
+      extents[c].low = extents[c].high = function_.value(mesh_.seeds[c]);
       boxes[c] = {mesh_.points[mesh_.seeds[c]], mesh_.points[mesh_.seeds[c]]};
     }
     for(Index v = 0; v < order_.vertices().size(); ++v) {
       Arc_extent& extent = extents[mesh_.component[v]];
       Bounds& box = boxes[mesh_.component[v]];
-      extent.low = (std::min)(extent.low, value_(v));
-      extent.high = (std::max)(extent.high, value_(v));
+      extent.low = (std::min)(extent.low, function_.value(v));
+      extent.high = (std::max)(extent.high, function_.value(v));
       extent.amount += amount_at(v, measure);
       for(int d = 0; d < 3; ++d) {
         box.low[d] = (std::min)(box.low[d], mesh_.points[v][d]);
@@ -295,7 +295,7 @@ private:
   const Flat_mesh& mesh_;
   const Sweep_order& order_;
   const Flat_reeb_graph& graph_;
-  const Value& value_;
+  const Function_on_vertices& function_;
   Reeb_embedding embedding_;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/reeb/Function_on_vertices.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 
 #include <CGAL/assertions.h>
@@ -22,30 +23,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// an integer that orders as the finite value does; the two zeros are one.
-inline std::uint64_t ordering_key(double value) {
-  value += 0.; // turns -0 into 0
-  std::uint64_t bits;
-  std::memcpy(&bits, &value, sizeof(bits));
-  constexpr std::uint64_t sign = std::uint64_t(1) << 63;
-  return bits & sign ? ~bits : bits | sign;
-}
-
-template <typename Integer>
-std::enable_if_t<std::is_integral<Integer>::value, std::uint64_t> ordering_key(Integer value) {
-  constexpr std::uint64_t sign = std::uint64_t(1) << 63;
-  return std::is_signed<Integer>::value
-             ? static_cast<std::uint64_t>(static_cast<std::int64_t>(value)) ^ sign
-             : static_cast<std::uint64_t>(value);
-}
 
 /// A total order of the vertices: by their values, and by the caller's indices where these are
 /// equal. So the order does not depend on how the flat mesh numbers its vertices.

@@ -13,6 +13,7 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Contour_arcs.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Flat_reeb_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/reeb/Reeb_embedding.h>

@@ -37,7 +37,7 @@ struct Neck_limits
 };
 
 /// finds necks: see `find_necks()`.
-CGAL_HTL_CORE std::vector<Flat_neck>
+std::vector<Flat_neck>
 find_flat_necks(Execution execution, const Flat_mesh& mesh, const Neck_limits& limits);
 
 /*!
@@ -83,9 +83,5 @@ find_necks(Execution execution,
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/reeb/find_necks_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_REEB_FIND_NECKS_H

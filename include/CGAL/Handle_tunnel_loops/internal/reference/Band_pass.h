@@ -15,7 +15,7 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_flat_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Fronts.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/fields.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Front_event.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_flat_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
 #include <CGAL/assertions.h>

@@ -18,7 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/exceptions.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_index.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_flat_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/passes/Passes.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Band_pass.h>

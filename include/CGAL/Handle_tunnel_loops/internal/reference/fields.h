@@ -16,6 +16,7 @@
 
 #include <CGAL/Handle_tunnel_loops/Solver_options.h>
 #include <CGAL/Handle_tunnel_loops/internal/field/phase_field.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Mesh_view.h>
 #include <CGAL/Handle_tunnel_loops/internal/reference/Arrivals.h>
 
 #include <CGAL/assertions.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_lengths.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/compare_flat_loops.h>
 #include <CGAL/Handle_tunnel_loops/internal/shortening/Shorter_sum.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 

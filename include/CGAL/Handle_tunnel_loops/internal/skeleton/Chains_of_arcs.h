@@ -14,6 +14,7 @@
 
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 

@@ -17,6 +17,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_pieces.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Surface_samples.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 

@@ -18,6 +18,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

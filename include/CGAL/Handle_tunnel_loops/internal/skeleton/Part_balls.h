@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Ball_graph.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 
 #include <algorithm>

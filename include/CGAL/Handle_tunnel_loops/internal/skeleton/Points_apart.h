@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/proof/Segments_apart.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Edges_at.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

@@ -25,6 +25,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Solid_balls.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/Span.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>

@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_balls.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_ball.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
@@ -26,6 +25,8 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
+
+class Own_frame;
 
 /// A graph each arc of which stands for a part of a surface, as a Reeb graph.
 struct Graph_of_parts
@@ -48,17 +49,13 @@ struct Inner_drawing
 /// draws a graph. \p mesh is in its own frame; \p places are the coordinates of its vertices as the
 /// caller has them, hubs included, and those of the drawing are of the same kind; \p pairs are a
 /// basis of loops.
-CGAL_HTL_CORE Inner_drawing draw_inside(Execution execution,
-                                        const Flat_mesh& mesh,
-                                        const Own_frame& frame,
-                                        const std::vector<Vector>& places,
-                                        const std::vector<Flat_pair>& pairs,
-                                        const Graph_of_parts& graph);
+Inner_drawing draw_inside(Execution execution,
+                          const Flat_mesh& mesh,
+                          const Own_frame& frame,
+                          const std::vector<Vector>& places,
+                          const std::vector<Flat_pair>& pairs,
+                          const Graph_of_parts& graph);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/draw_inside_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_DRAW_INSIDE_H

@@ -13,11 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/Curve_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
+#include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing.h>
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/Flat_skeleton.h>
 #include <CGAL/Handle_tunnel_loops/internal/proof/certify_skeleton.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -26,6 +25,8 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
+
+class Own_frame;
 
 /// A skeleton, to which of its points each vertex of the mesh belongs, and what is proved of it.
 struct Found_skeleton
@@ -38,19 +39,15 @@ struct Found_skeleton
 
 /// finds a skeleton. The mesh lies in a frame; \p places are the coordinates of the vertices as the
 /// caller has them, hubs included, \p pairs a basis of loops. Between steps, \p look may throw.
-CGAL_HTL_CORE Found_skeleton find_skeleton(Execution execution,
-                                           const Flat_mesh& mesh,
-                                           const Own_frame& frame,
-                                           const std::vector<Vector>& places,
-                                           const std::vector<Flat_pair>& pairs,
-                                           const Skeleton_options& options,
-                                           const Face_number& face_number,
-                                           const std::function<void()>& look);
+Found_skeleton find_skeleton(Execution execution,
+                             const Flat_mesh& mesh,
+                             const Own_frame& frame,
+                             const std::vector<Vector>& places,
+                             const std::vector<Flat_pair>& pairs,
+                             const Skeleton_options& options,
+                             const Face_number& face_number,
+                             const std::function<void()>& look);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/skeleton/find_skeleton_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SKELETON_FIND_SKELETON_H

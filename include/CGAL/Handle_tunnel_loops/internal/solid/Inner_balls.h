@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/solid/Inner_ball.h>
 #include <CGAL/Handle_tunnel_loops/internal/solid/Wall.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
@@ -24,12 +25,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-struct Inner_ball
-{
-  Vector centre;
-  double radius;
-};
 
 /// where the segment from a point leaves a ball of which the radius is `within` times that of a
 /// given one, in which the point is; or the end of the segment.

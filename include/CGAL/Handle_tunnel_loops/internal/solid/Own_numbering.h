@@ -13,10 +13,10 @@
 #include <CGAL/license/Handle_tunnel_loops.h>
 
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Flat_mesh.h>
-#include <CGAL/Handle_tunnel_loops/internal/solid/Own_frame.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
+#include <CGAL/Handle_tunnel_loops/internal/support/collect.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sort.h>
 
@@ -74,6 +74,9 @@ public:
     by_vertex = std::move(sorted);
   }
 
+  /// by new number, the one before.
+  const Uninitialized_vector<Index>& order() const { return order_; }
+
   /// numbers the vertices of a mesh anew. Each ring begins with its smallest number.
   void apply(Flat_mesh& mesh) const {
     const std::size_t n = order_.size();
@@ -103,24 +106,8 @@ public:
 
 private:
   Execution execution_;
-  Uninitialized_vector<Index> order_; // by new number, the one before
+  Uninitialized_vector<Index> order_;
 };
-
-/// numbers the vertices of a surface anew, and puts it into its own frame. \p places are those of
-/// the vertices, hubs included, as the caller has them; they are sorted as well.
-template <typename Prepared>
-Own_frame put_into_own_frame(Execution execution, Prepared& surface, std::vector<Vector>& places) {
-  Flat_mesh& mesh = surface.mesh;
-  const Own_frame frame(mesh, places);
-  for_each_index(execution, places.size(),
-                 [&](std::size_t v) { mesh.points[v] = frame.into(places[v]); });
-  mesh.half_scale = frame.length_out_of(0.5);
-  const Own_numbering numbering(execution, mesh);
-  numbering.apply(mesh);
-  numbering.apply(surface.vertices);
-  numbering.apply(places);
-  return frame;
-}
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 

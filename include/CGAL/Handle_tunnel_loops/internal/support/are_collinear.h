@@ -15,21 +15,12 @@
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/macros.h>
 
-#include <CGAL/number_utils.h>
-
 #include <cmath>
 
 namespace CGAL::Handle_tunnel_loops::internal {
 
-/// The coordinates of a vertex, rounded to doubles if they are none.
-template <typename VertexPointMap, typename Vertex>
-Vector coordinates(VertexPointMap point, const Vertex& v) {
-  const auto& p = get(point, v);
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-}
-
 /// whether three points lie on a line.
-CGAL_HTL_CORE bool are_exactly_collinear(const Vector& a, const Vector& b, const Vector& c);
+bool are_exactly_collinear(const Vector& a, const Vector& b, const Vector& c);
 
 /// the same: decided in floating point where that is beyond doubt.
 inline bool are_collinear(const Vector& a, const Vector& b, const Vector& c) {
@@ -45,9 +36,5 @@ inline bool are_collinear(const Vector& a, const Vector& b, const Vector& c) {
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/support/are_collinear_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SUPPORT_ARE_COLLINEAR_H

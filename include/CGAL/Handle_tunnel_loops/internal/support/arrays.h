@@ -48,40 +48,6 @@ constexpr std::uint64_t edge_key(std::uint64_t u, std::uint64_t v) {
   return u < v ? u << 32 | v : v << 32 | u;
 }
 
-/// An array that somebody else owns, in the memory of the host or of the device.
-template <typename T> class Span
-{
-public:
-  Span() = default;
-
-  CGAL_HTL_HOST_DEVICE Span(T* data, std::size_t size)
-      : data_(data)
-      , size_(size) {}
-
-  /// of what may be changed, where it need not be.
-  template <typename U, typename = std::enable_if_t<std::is_same<const U, T>::value>>
-  CGAL_HTL_HOST_DEVICE Span(const Span<U>& other)
-      : data_(other.data())
-      , size_(other.size()) {}
-
-  CGAL_HTL_HOST_DEVICE T* data() const { return data_; }
-  CGAL_HTL_HOST_DEVICE std::size_t size() const { return size_; }
-  CGAL_HTL_HOST_DEVICE bool empty() const { return size_ == 0; }
-  CGAL_HTL_HOST_DEVICE T& operator[](std::size_t i) const { return data_[i]; }
-  CGAL_HTL_HOST_DEVICE T* begin() const { return data_; }
-  CGAL_HTL_HOST_DEVICE T* end() const { return data_ + size_; }
-
-private:
-  T* data_ = nullptr;
-  std::size_t size_ = 0;
-};
-
-/// of all of a vector.
-template <typename T, typename Allocator>
-Span<const T> span_of(const std::vector<T, Allocator>& values) {
-  return {values.data(), values.size()};
-}
-
 /// Leaves elements that are not given a value without one.
 template <typename T> struct Uninitialized_allocator : std::allocator<T>
 {

@@ -12,16 +12,6 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-// What knows no type of mesh is defined in headers *_impl.h. The headers that declare it include
-// these, and all is inline; or else the program is linked with Handle_tunnel_loops::core, which
-// defines the macro CGAL_LINKED_WITH_HTL_CORE, and where they are compiled once: with assertions if
-// the library is, whatever the program is compiled with.
-#ifdef CGAL_LINKED_WITH_HTL_CORE
-#define CGAL_HTL_CORE
-#else
-#define CGAL_HTL_CORE inline
-#endif
-
 // Threads come from TBB where the program is linked with it, which CGAL's macro
 // CGAL_LINKED_WITH_TBB says; or where CGAL_HTL_STD_THREADS is defined, from the package's own
 // Thread_pool.

@@ -38,29 +38,25 @@ is done, and throws to stop.
 As long as some are removed and others are not, the loops of the surface are found anew, and those
 that are left are tried as if it had been read just now. So nothing more is to be had of the result.
 */
-CGAL_HTL_CORE void remove_handles(Execution execution,
-                                  Surgery_mesh& mesh,
-                                  std::vector<Removal_task>& tasks,
-                                  Removal_effort effort,
-                                  bool force,
-                                  const std::function<void(double)>& ask);
+void remove_handles(Execution execution,
+                    Surgery_mesh& mesh,
+                    std::vector<Removal_task>& tasks,
+                    Removal_effort effort,
+                    bool force,
+                    const std::function<void(double)>& ask);
 
 /// what the removal of each handle would be by itself: its task becomes what it would be if nothing
 /// else was removed. The mesh stays as it is.
-CGAL_HTL_CORE void try_to_remove_each(Execution execution,
-                                      Surgery_mesh& mesh,
-                                      std::vector<Removal_task>& tasks,
-                                      bool force,
-                                      const std::function<void(double)>& ask);
+void try_to_remove_each(Execution execution,
+                        Surgery_mesh& mesh,
+                        std::vector<Removal_task>& tasks,
+                        bool force,
+                        const std::function<void(double)>& ask);
 
 /// cuts a mesh apart at its necks, as far as that can be; what becomes of each is in its task.
-CGAL_HTL_CORE std::vector<Removal_task>
+std::vector<Removal_task>
 remove_necks(Execution execution, Surgery_mesh& mesh, const Removal_options& wanted);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Removal_rounds_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_REMOVAL_ROUNDS_H

@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
-#include <CGAL/Handle_tunnel_loops/Loop_on_surface.h>
 #include <CGAL/Handle_tunnel_loops/Removal_report.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Box_tree.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Caps_in_vain.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loop_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Region_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/closed_walks.h>
@@ -32,26 +32,6 @@
 #include <vector>
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// A loop that a handle may be removed along.
-struct Loop_choice
-{
-  Loop_type type;
-  double length;
-  std::vector<Place_on_edge> places;
-  bool is_allowed = true; ///< or only here because it crosses the other one once
-};
-
-/// a loop on a mesh of any kind; its vertices have these numbers here.
-template <typename Loop, typename TriangleMesh, typename VertexIndexMap>
-Loop_choice loop_choice(const Loop& loop, const TriangleMesh& tm, VertexIndexMap number) {
-  Loop_choice choice{loop.type(), loop.length(), {}};
-  for(const auto& step : loop.steps())
-    choice.places.push_back({static_cast<Index>(get(number, source(step.halfedge, tm))),
-                             static_cast<Index>(get(number, target(step.halfedge, tm))),
-                             step.ratio});
-  return choice;
-}
 
 /// A handle to be removed, or a neck, and what has become of it.
 struct Removal_task
@@ -178,20 +158,6 @@ struct Removal_task
     return {pair, choices.front().length, why};
   }
 };
-
-/// of a handle with a number, along either loop of its pair, this one first.
-template <typename Pair, typename Loop, typename TriangleMesh, typename VertexIndexMap>
-Removal_task removal_task(std::size_t number,
-                          const Pair& pair,
-                          const Loop& first,
-                          const TriangleMesh& tm,
-                          VertexIndexMap vertex_index) {
-  Removal_task task;
-  task.pair = number;
-  task.choices = {loop_choice(first, tm, vertex_index),
-                  loop_choice(pair.partner(first), tm, vertex_index)};
-  return task;
-}
 
 /// how many are not done, or could not be.
 inline std::size_t number_left(const std::vector<Removal_task>& tasks) {

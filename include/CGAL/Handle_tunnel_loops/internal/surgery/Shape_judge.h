@@ -78,8 +78,4 @@ private:
 
 } // namespace CGAL::Handle_tunnel_loops::internal
 
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/surgery/Shape_judge_impl.h>
-#endif
-
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_SHAPE_JUDGE_H

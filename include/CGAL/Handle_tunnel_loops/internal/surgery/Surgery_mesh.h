@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Handle_tunnel_loops.h>
 
+#include <CGAL/Handle_tunnel_loops/internal/certificate/Triangle_list.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/Vector.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/parallel.h>
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -292,6 +294,40 @@ inline std::vector<Index> vertices_of(const Surgery_mesh& mesh, const std::vecto
     vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
   make_set(vertices);
   return vertices;
+}
+
+/// What is read, with room for caps: numbers are not given twice, and to make room later takes
+/// twice as much. It is in a unit of its own, a power of two, so that it is the same at all scales:
+/// products of its coordinates are numbers still. Boundary curves get caps, which follow the
+/// vertices and faces.
+inline Surgery_mesh surgery_mesh_of(const Triangle_list& triangles, double& unit) {
+  const auto with_room = [](std::size_t n) { return n + n / 4; };
+  const auto is_there = [&](std::size_t v) { return triangles.arriving[v] != no_index; };
+  const std::size_t number_of_vertices = triangles.arriving.size();
+  double size = 0.;
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+    for(std::size_t d = 0; is_there(v) && d < 3; ++d)
+      size = (std::max)(size, std::abs(triangles.points[v][d]));
+  const int exponent = size > 0. ? std::ilogb(size) : 0;
+  unit = std::ldexp(1., exponent);
+  std::vector<Surgery_mesh::Point> points;
+  points.reserve(with_room(number_of_vertices));
+  for(std::size_t v = 0; v < number_of_vertices; ++v) {
+    const Vector p = is_there(v) ? triangles.points[v] : Vector{0., 0., 0.};
+    points.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent),
+                        std::ldexp(p[2], -exponent));
+  }
+  std::vector<Surgery_mesh::Face> corners;
+  corners.reserve(with_room(triangles.number_of_faces()));
+  const auto& target = triangles.target;
+  for(std::size_t h = 0; h < target.size(); h += 3)
+    corners.push_back({target[h + 2], target[h], target[h + 1]});
+  std::vector<Index> twins;
+  twins.reserve(3 * with_room(triangles.number_of_faces()));
+  twins.assign(triangles.opposite.begin(), triangles.opposite.end());
+  Surgery_mesh mesh(std::move(points), std::move(corners), std::move(twins));
+  mesh.add_caps();
+  return mesh;
 }
 
 } // namespace CGAL::Handle_tunnel_loops::internal

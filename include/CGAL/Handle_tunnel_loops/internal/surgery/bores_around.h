@@ -25,15 +25,11 @@ namespace CGAL::Handle_tunnel_loops::internal {
 
 /// for each loop, given by its places: the narrowest cylinder in the wall of the bore that it goes
 /// around, if there is one, as long as its drilling. Those of one drilling are the same.
-CGAL_HTL_CORE std::vector<std::optional<Cylinder>>
+std::vector<std::optional<Cylinder>>
 bores_around(Execution execution,
              const Surgery_mesh& mesh,
              const std::vector<std::vector<Place_on_edge>>& loops);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/surgery/bores_around_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_BORES_AROUND_H

@@ -33,23 +33,19 @@ using Patch_visitor = std::function<bool(const Patch&)>;
 /// with it (where Eigen is there); or refined only; or without vertices of their own. There are
 /// none where the holes cannot be triangulated. Whether the caps meet anything has still to be
 /// seen.
-CGAL_HTL_CORE void
-for_each_cap(const Surgery_mesh& mesh, const Cut_region& region, const Patch_visitor& is_wanted);
+void for_each_cap(const Surgery_mesh& mesh,
+                  const Cut_region& region,
+                  const Patch_visitor& is_wanted);
 
 /// The same for a strip: two membranes with the same triangles, one on either side of the curve,
 /// which stand on the faces there, or on collars of several heights. They have no vertices but
 /// those of the curve and the collar; where such are wanted, they are shown once more, refined.
-CGAL_HTL_CORE void for_each_membrane(const Surgery_mesh& mesh,
-                                     const Curve_off_vertices& curve,
-                                     const Divided_strip& strip,
-                                     Polygon_in_space::At_sides side,
-                                     const Patch_visitor& is_wanted);
+void for_each_membrane(const Surgery_mesh& mesh,
+                       const Curve_off_vertices& curve,
+                       const Divided_strip& strip,
+                       Polygon_in_space::At_sides side,
+                       const Patch_visitor& is_wanted);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/surgery/caps_impl.h>
-#include <CGAL/Handle_tunnel_loops/internal/surgery/membranes_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_SURGERY_CAPS_H

@@ -16,6 +16,7 @@
 #include <CGAL/Handle_tunnel_loops/internal/mesh/Crossing_loop.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/arrays.h>
 #include <CGAL/Handle_tunnel_loops/internal/support/sets.h>
+#include <CGAL/Handle_tunnel_loops/internal/surgery/Loop_choice.h>
 #include <CGAL/Handle_tunnel_loops/internal/surgery/Surgery_mesh.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -41,13 +42,6 @@ template <> struct graph_traits<CGAL::Handle_tunnel_loops::internal::Surgery_mes
 } // namespace boost
 
 namespace CGAL::Handle_tunnel_loops::internal {
-
-/// A place on an edge: `source + ratio * (target - source)`.
-struct Place_on_edge
-{
-  Index source, target;
-  double ratio;
-};
 
 /// Closed walks on the edges, as their vertices in order.
 using Closed_walk = std::vector<Index>;
@@ -119,7 +113,7 @@ inline Closed_walk walk_beside(const Surgery_mesh& mesh, const std::vector<Place
   for(const Place_on_edge& p : places)
     ends.push_back({p.ratio == 1. ? p.target : p.source, p.ratio == 0. ? p.source : p.target});
   Closed_walk walk =
-      shortest_walk_beside(ends, [&](Index u, Index v) { return distance(mesh, u, v); });
+      places_of_shortest_walk_beside(ends, [&](Index u, Index v) { return distance(mesh, u, v); });
   remove_spurs(walk);
   return walk;
 }

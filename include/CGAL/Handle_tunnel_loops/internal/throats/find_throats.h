@@ -41,15 +41,11 @@ struct Throat_limits
 
 /// finds throats, the most prominent first: see `CGAL::throats()`. \p known are loops that may
 /// become throats when they are tightened.
-CGAL_HTL_CORE std::vector<Flat_throat> find_flat_throats(Execution execution,
-                                                         const Flat_mesh& mesh,
-                                                         const std::vector<Crossing_loop>& known,
-                                                         const Throat_limits& limits);
+std::vector<Flat_throat> find_flat_throats(Execution execution,
+                                           const Flat_mesh& mesh,
+                                           const std::vector<Crossing_loop>& known,
+                                           const Throat_limits& limits);
 
 } // namespace CGAL::Handle_tunnel_loops::internal
-
-#ifndef CGAL_LINKED_WITH_HTL_CORE
-#include <CGAL/Handle_tunnel_loops/internal/throats/find_throats_impl.h>
-#endif
 
 #endif // CGAL_HANDLE_TUNNEL_LOOPS_INTERNAL_THROATS_FIND_THROATS_H
